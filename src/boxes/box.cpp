@@ -38,23 +38,26 @@ Rational read(const std::string& text, std::string_view word) {
   return *number;
 }
 
+/// The numbers that are given ranges, the last one that is given to each.
+struct Given {
+  std::vector<Parameter> numbers;
+  std::vector<std::pair<Rational, Rational>> ends;
+};
+
 /// "PATH", "PATH=R%" or "PATH=FROM:TO".
-VariedScene with_tolerance(const VariedScene& scene, const std::string& text) {
+void read_tolerance(const VariedScene& scene, const std::string& text, Given& given) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string path(trimmed(std::string_view(text).substr(0, equals)));
   const std::string_view size =
       trimmed(std::string_view(text).substr(std::min(equals + 1, text.size())));
-  std::vector<Parameter> numbers = scene.singles(path);
-  for (const Parameter& number : numbers)
+  const std::vector<std::string_view> ends = split_at(size, ':');
+  const bool is_share = !size.empty() && size.back() == '%', is_asked = equals == text.size();
+  for (const Parameter& number : scene.singles(path)) {
     if (number.kind != Parameter::Kind::number || number.whole)
       refuse(text, quoted(path) + (number.whole ? " counts something" : " is a turn") +
                        ", which has no tolerance");
-  const std::vector<std::string_view> ends = split_at(size, ':');
-  const bool is_share = !size.empty() && size.back() == '%';
-  if (equals < text.size() && !is_share && ends.size() != 2)
-    refuse(text, "write PATH=10% or PATH=FROM:TO, such as edge.friction=0.3:0.5");
-  VariedScene changed = scene;
-  for (const Parameter& number : numbers) {
+    if (!is_asked && !is_share && ends.size() != 2)
+      refuse(text, "write PATH=10% or PATH=FROM:TO, such as edge.friction=0.3:0.5");
     const std::optional<Rational> typed = Rational::parse(number.typed);
     if (!typed) refuse(text, quoted(number.path) + " is too long to be read exactly");
     Rational low = *typed, high = *typed;
@@ -63,25 +66,31 @@ VariedScene with_tolerance(const VariedScene& scene, const std::string& text) {
           abs(*typed) * read(text, size.substr(0, size.size() - 1)) / Rational(100);
       low = *typed - off;
       high = *typed + off;
-    } else if (equals < text.size()) {
+    } else if (!is_asked) {
       low = read(text, ends[0]);
       high = read(text, ends[1]);
-    } else if (!number.ends.empty()) {
-      continue; // it has a range
     }
     if (high < low)
       refuse(text, is_share ? "a tolerance is not negative"
                             : "the range goes backwards; the smaller number comes first");
-    changed = changed.with_range(number, low, high);
+    const auto known = std::find_if(given.numbers.begin(), given.numbers.end(),
+                                    [&](const Parameter& one) { return one.path == number.path; });
+    if (is_asked && (known != given.numbers.end() || !number.ends.empty())) continue; // it has one
+    if (known != given.numbers.end()) {
+      given.ends[static_cast<std::size_t>(known - given.numbers.begin())] = {low, high};
+      continue;
+    }
+    given.numbers.push_back(number);
+    given.ends.emplace_back(low, high);
   }
-  return changed;
 }
 
 } // namespace
 
 VariedScene with_tolerances(VariedScene scene, const std::vector<std::string>& tolerances) {
-  for (const std::string& text : tolerances) scene = with_tolerance(scene, text);
-  return scene;
+  Given given;
+  for (const std::string& text : tolerances) read_tolerance(scene, text, given);
+  return given.numbers.empty() ? scene : scene.with_ranges(given.numbers, given.ends);
 }
 
 Rational BoxSide::low_at(const Rational& margin) const {

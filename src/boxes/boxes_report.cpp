@@ -26,7 +26,7 @@ std::string answer_sentence(const BoxAnswer& answer, const std::string& subject,
 } // namespace
 
 std::string margin_words(const BoxAnswer& answer) {
-  if (answer.is_indifferent) return "; how far they are off does not matter";
+  if (answer.is_indifferent) return "; it does not depend on these numbers";
   if (!answer.margin || !(*answer.margin > 0)) return "";
   const std::string percent = in_digits(100 * *answer.margin, 4) + " % off";
   if (answer.verdict != BoxVerdict::always)

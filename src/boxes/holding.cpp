@@ -140,7 +140,8 @@ private:
     bool is_scaled = false;
     for (std::size_t k = 0; k < counts_.size(); ++k)
       is_scaled = is_scaled || (counts_[k] && box_.sides()[k].is_relative);
-    answer_.is_indifferent = !is_scaled && answer_.verdict == BoxVerdict::always;
+    answer_.is_indifferent = std::find(counts_.begin(), counts_.end(), true) == counts_.end() &&
+                             answer_.verdict == BoxVerdict::always;
     if (!is_scaled) return;
     answer_.margin = widest_margin([this](double e) { return holds(e); }, true);
   }

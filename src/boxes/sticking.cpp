@@ -168,7 +168,9 @@ private:
     bool is_scaled = false;
     for (std::size_t k = 0; k < box_.sides().size(); ++k)
       is_scaled = is_scaled || (model_.counts()[k] && box_.sides()[k].is_relative);
-    answer_.is_indifferent = !is_scaled && answer_.verdict == BoxVerdict::always;
+    const auto& counts = model_.counts();
+    answer_.is_indifferent = std::find(counts.begin(), counts.end(), true) == counts.end() &&
+                             answer_.verdict == BoxVerdict::always;
     if (!is_scaled) return;
     double margin = widest_margin([this](double e) { return sticks(e); });
     Box::Corner worst = 0;

@@ -313,17 +313,18 @@ std::vector<Parameter> VariedScene::singles(const std::string& path) const {
   return list;
 }
 
-VariedScene VariedScene::with_range(const Parameter& parameter, const Rational& low,
-                                    const Rational& high) const {
+VariedScene VariedScene::with_ranges(const std::vector<Parameter>& parameters,
+                                     const std::vector<std::pair<Rational, Rational>>& ends) const {
   TomlDocument document = *document_;
-  for (const Place& place : parameter.places) {
-    TomlValue& value = value_at(document, place);
-    TomlValue ends[] = {value, value};
-    set_number(ends[0], low);
-    set_number(ends[1], high);
-    set_number(value, (low + high) / Rational(2));
-    value.range = {ends[0], ends[1]};
-  }
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (const Place& place : parameters[k].places) {
+      TomlValue& value = value_at(document, place);
+      TomlValue low = value, high = value;
+      set_number(low, ends[k].first);
+      set_number(high, ends[k].second);
+      set_number(value, (ends[k].first + ends[k].second) / Rational(2));
+      value.range = {low, high};
+    }
   VariedScene scene = *this;
   scene.document_ = std::make_shared<const TomlDocument>(std::move(document));
   (void)scene.as_given();

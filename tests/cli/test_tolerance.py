@@ -128,6 +128,13 @@ class Tolerance(ToolTest):
                 low, high = (e, high) if (1 + e) < target * (1 - e) ** 3 else (low, e)
             self.assertAlmostEqual(answer["margin"], low, delta=1e-6)
 
+    def test_both_jaws_have_one_force(self):
+        scene = self.file("slide.toml", SLIDE_TEXT)
+        for given in (["*.grip_force=8:30"], ["left.grip_force=8:30", "right.grip_force=8:30"]):
+            answer = json_of("cone", scene, *(word for one in given for word in ("--tolerance", one)))
+            self.assertEqual((answer["verdict"], answer["box"]["right.grip_force"]), ("always", [8, 30]))
+            self.assertLess(json_of("cone", scene, "--tolerance", "*.grip_force=6:30")["corner"]["left.grip_force"], 6.54)
+
     def test_a_narrow_wall_at_its_own_place(self):
         text = SLIDE_TEXT.replace("-0.015", "-0.0069").replace("0.015, 0]]", "-0.0029, 0]]")
         self.assertAlmostEqual(json_of("cone", self.file("w.toml", text), *ALL)["margin"], 0.111, delta=5e-4)

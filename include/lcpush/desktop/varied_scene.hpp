@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -80,9 +81,9 @@ public:
   /// Every number that has a range, one by one; and those that a path names.
   std::vector<Parameter> ranges() const;
   std::vector<Parameter> singles(const std::string& path) const;
-  /// The same scene with this number in a range. Throws InputError if that is no scene.
-  VariedScene with_range(const Parameter& parameter, const Rational& low,
-                         const Rational& high) const;
+  /// The same scene with these numbers in ranges. Throws InputError if that is no scene.
+  VariedScene with_ranges(const std::vector<Parameter>& parameters,
+                          const std::vector<std::pair<Rational, Rational>>& ends) const;
   /// The same scene with one number changed for good. Throws InputError if that is no scene.
   VariedScene with(const Parameter& parameter, double value) const;
   /// The same scene without its other pushers. Before find(), whose parameters are places in it.
