@@ -95,8 +95,8 @@ Result run_slice(const Values& values, const std::string& format, const VariedSc
 Result run_cone(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const std::optional<Vector6<double>> twist = asked_twist(values);
-  const VariedScene scene =
-      values.with_only_pusher(values.scene_with_ranges(Needs::scene), listener);
+  VariedScene scene = values.with_only_pusher(values.scene_with_ranges(Needs::scene), listener);
+  if (!values.has("vary") && values.lies_in_plane(scene.as_given(), listener)) scene.set_planar();
   if (values.has("vary")) return run_slice(values, format, scene, listener);
   SceneFile file = scene.as_given();
   if (!scene.ranges().empty() && format != "svg") {
@@ -124,10 +124,16 @@ Result run_plan(const Values& values, Listener& listener) {
   if (std::abs((*to)[2]) > most_turn)
     values.refuse("to", values.label("to") + ": a turn of " + brief((*to)[2]) +
                             " rad is more than once round; it is in rad, not in degrees");
-  const Document scene = values.scene_document();
+  Document scene = values.scene_document();
   SceneFile file = values.scene(Needs::scene, Strokes::all);
+  VariedScene box = values.scene_with_ranges(Needs::scene);
+  if (values.lies_in_plane(file, listener)) {
+    scene.text = with_values(std::move(scene.text), scene.name, "", {"planar=true"});
+    file = parse_scene(scene.text, scene.name, Strokes::all);
+    box.set_planar();
+  }
   PlanOptions options;
-  if (const VariedScene box = values.scene_with_ranges(Needs::scene); !box.ranges().empty()) {
+  if (!box.ranges().empty()) {
     options.box = box;
     file.lines.ranges = 0; // they are answered
   }

@@ -8,6 +8,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
+#include "scenes/mirror.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -103,6 +104,12 @@ void Values::take_pyramids(SceneFile& file, Listener& listener) const {
     listener.announce("Pyramids of " + std::to_string(file.facets) +
                       " facets stand for round friction here.");
   file.is_round = false;
+}
+
+bool Values::lies_in_plane(const SceneFile& file, Listener& listener) const {
+  if (!is_plane(file)) return false;
+  listener.announce("The scene is its own image across z: taken as planar = true.");
+  return true;
 }
 
 VariedScene Values::varied_scene(Needs needs, std::size_t k) const {

@@ -139,6 +139,9 @@ public:
   void refuse_unknowns(const SceneFile& file, Index most, const std::string& what) const;
   /// Refuses a scene in which nothing moves.
   void refuse_still(const SceneFile& file) const;
+  /// Is the scene to be taken as planar, since it is plane by its own symmetry? The listener hears
+  /// it.
+  bool lies_in_plane(const SceneFile& file, Listener& listener) const;
   /// The box of a raw problem of n rows; none if no option is given.
   RawBounds bounds(Index n) const;
 

@@ -1,6 +1,7 @@
 #include "scenes/mirror.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lcpush::desktop {
 namespace {
@@ -81,6 +82,15 @@ std::vector<Index> mirror_axes(const SceneFile& file) {
   for (Index axis = 0; axis < 3; ++axis)
     if (is_mirrored(file, axis)) axes.push_back(axis);
   return axes;
+}
+
+bool is_plane(const SceneFile& file) {
+  const auto is_flat = [](const Body<double>& body) {
+    const double across = std::abs(body.normal.z());
+    return across <= mirror_slack || across >= 1 - mirror_slack;
+  };
+  return !file.planar && std::all_of(file.bodies.begin(), file.bodies.end(), is_flat) &&
+         is_mirrored(file, 2);
 }
 
 } // namespace lcpush::desktop

@@ -14,4 +14,8 @@ Vector6<double> mirrored_twist(const Vector6<double>& twist, Index axis);
 /// their own image. Friction pyramids are taken for cones. Cost: O(points^2) of equal bodies.
 std::vector<Index> mirror_axes(const SceneFile& file);
 
+/// Is a scene that is not said to be planar plane by its own symmetry: its image across z, with no
+/// normal between z and the plane?
+bool is_plane(const SceneFile& file);
+
 } // namespace lcpush::desktop

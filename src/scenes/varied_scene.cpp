@@ -260,6 +260,8 @@ void VariedScene::set_facets(std::optional<Index> facets) {
     set("facets", {1, std::string("round")});
 }
 
+void VariedScene::set_planar() { set("planar", {1, true}); }
+
 std::vector<std::string> VariedScene::paths() const {
   std::vector<std::string> paths;
   for (const Named& named : all_parameters(*document_)) paths.push_back(named.parameter.path);

@@ -98,9 +98,16 @@ class Cone(unittest.TestCase):
         self.assertIn("does not hold the box", result.stdout)
         self.assertEqual(self.answer("--pusher", "east", text=text)["status"], "does_not_hold")
 
+    def test_a_scene_that_is_its_own_image_across_z_is_taken_as_planar(self):
+        given, found = (run("-", "--pusher", "east", "--json", text=square(*changes))
+                        for changes in ((), (("planar = true\n", "\n"),)))
+        self.assertEqual((found.returncode, found.stdout), (0, given.stdout))
+        self.assertIn("its own image across z", " ".join(found.stderr.split()))
+        self.assertNotIn("image", given.stderr)
+
     def test_what_has_no_cone_is_refused_with_its_line(self):
         refused = [
-            ((("planar = true\n", ""),), "say planar = true"),
+            ((("planar = true\n", "gravity = [0, 0, -9.81]\n"),), "say planar = true"),
             ((("planar = true", 'planar = true\npressure = "rigid"'),), "pad"),
             ((("normal = [0, 0, 1]", "normal = [0, 1, 0]"),), "lies in the plane"),
             ((('shape = "disc"', 'shape = "point"'), ("radius = 0.01\n", "")), "resist no turning"),

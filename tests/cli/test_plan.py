@@ -212,6 +212,11 @@ class Plan(unittest.TestCase):
         again = run("plan", SQUARE, "--to", "-0.04 0.02 0.1", "-v").stdout
         self.assertEqual(text, again)
 
+    def test_a_scene_that_is_its_own_image_across_z_is_taken_as_planar(self):
+        given, found = (json.loads(run("plan", "-", "--to", "-0.01 0 0", "--json", text=text).stdout)
+                        for text in (square(), square().replace("planar = true\n", "\n")))
+        self.assertEqual(given["pushes"], found["pushes"])
+
     def test_bad_input_is_refused(self):
         for words, said in ((("--to", "1 2"), "x y angle"), (("--to", "a b c"), "--to"), ((), "--to"),
                             (("--to", "0 0 inf"), "--to")):
@@ -222,7 +227,8 @@ class Plan(unittest.TestCase):
                      text=square().replace("[[0.05, -0.04, 0], [0.05", "[[0.055, -0.04, 0], [0.055"))
         self.assertEqual(apart.returncode, 2)
         self.assertIn("east.1 stands 5 mm off the object", " ".join(apart.stderr.split()))
-        spatial = run("plan", "-", "--to", "-0.01 0 0", text=square().replace("planar = true\n", ""))
+        spatial = run("plan", "-", "--to", "-0.01 0 0",
+                      text=square().replace("planar = true\n", "gravity = [0, 0, -9.81]\n"))
         self.assertEqual(spatial.returncode, 2)
         self.assertIn("a plan moves the object in the plane", " ".join(spatial.stderr.split()))
         alone = run("plan", "-", "--to", "0 0.01 0", text=without(square(), "east", "south", "north"))

@@ -58,6 +58,7 @@ public:
   void set_pressure(const std::string& law);
   /// Other friction than the file's: pyramids of so many facets, or none: round.
   void set_facets(std::optional<Index> facets);
+  void set_planar();
 
   /// The parameter called `path`: `left.friction`, `*.grip_force` (of every body that has one),
   /// `object.mass`, `gravity[1]`, `wall.ends[0][1]`, `facets`, `wall.shift[1]` (m), `wall.turn`
