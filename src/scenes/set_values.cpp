@@ -1,5 +1,6 @@
 #include "lcpush/desktop/varied_scene.hpp"
 
+#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/on_face.hpp"
 #include "scenes/scene_builder.hpp"
@@ -27,7 +28,10 @@ std::string quoted_words(std::string_view typed) {
     TomlValue number{1, 0.0};
     const bool is_toml = word.empty() || word[0] == '"' || word == "true" || word == "false" ||
                          !read_toml_number(word, number);
-    text += is_toml ? word : toml_text({1, word});
+    const NumberText typed_otherwise = read_finite_number(word); // .4
+    text += is_toml                  ? word
+            : !typed_otherwise.error ? shown(typed_otherwise.value)
+                                     : toml_text({1, word});
     if (end < typed.size()) text += typed[end];
     at = end + 1;
   }

@@ -7,7 +7,7 @@ HELD, SLIDE = SOURCE / "docs/guide/held_block.toml", SCENES / "straight_slide.to
 JAWS = "[[finger]]\nname = \"left\""
 # what is set, what the file would have instead of what
 SET = [
-    ("pin.friction=0.4", "friction = 0.3", "friction = 0.4"), ("object.mass=0.15", '"120 g"', "0.15"),
+    ("pin.friction=0.4", "friction = 0.3", "friction = 0.4"), ("pin.friction=.4", "friction = 0.3", "friction = 0.4"), ("object.mass=0.15", '"120 g"', "0.15"),
     ("object.mass=150 g", '"120 g"', '"150 g"'), ("object.box[1]=30mm", '"40 mm"', '"30 mm"'),
     ("object.box = [80 mm, 0.04, \"2 cm\"]", '"20 mm"]', '"2 cm"]'),
     ("*.grip_force=15 N", '"20 N"', '"15 N"'), ("pin.center[1]=-0.002", '["10 mm", 0]', '["10 mm", -0.002]'),

@@ -32,7 +32,7 @@ TEST_CASE("a velocity is the push's direction, at the centre of mass, and keeps 
   check_says(with_pusher("velocity = [0, 0, 0]\nabout = [0, 0, 0]\n"), "about goes with");
   check_says(with_pusher("normal_force = 5\nvelocity = [0.1, 0.2, 0]\n"),
              "velocity must have no part along it");
-  check_says(with_finger("velocity = [0, 0, 0]\n"), "it goes with [[pusher]]");
+  check_says(with_finger("velocity = [0, 0, 0]\n"), "it goes with [object] or [[pusher]]");
   check_says(with_pusher("speed = [1, 0, 0]\n"), "did you mean \"velocity\"");
 }
 
