@@ -119,13 +119,13 @@ TEST_CASE("a decimal is taken as typed") {
 }
 
 TEST_CASE("the points of lines and rectangles are exact, and so are normals of a rational length") {
-  const std::string rectangle = "shape = \"rectangle\"\nsize = [0.3, 0.1]\ntangent = [1, 0, 0]";
+  const std::string rectangle = "shape = \"rectangle\"\nsize = [0.03, 0.01]\ntangent = [1, 0, 0]";
   const Exact flat = exactly(with_finger("shape = \"point\"", rectangle));
   REQUIRE(flat.points.size() == 16);
   // o = n x t = (0, -1, 0)
-  CHECK(flat.points[0] == typed("-0.15", "0.05", "0.005"));
-  CHECK(flat.points[1] == typed("-0.05", "0.05", "0.005"));
-  CHECK(flat.points[15] == typed("0.15", "-0.05", "0.005"));
+  CHECK(flat.points[0] == typed("-0.015", "0.005", "0.005"));
+  CHECK(flat.points[1] == typed("-0.005", "0.005", "0.005"));
+  CHECK(flat.points[15] == typed("0.015", "-0.005", "0.005"));
   CHECK(flat.weights[0] == Rational(1) / 64);
   CHECK(flat.weights[5] == Rational(9) / 64);
   const Exact line =
