@@ -50,20 +50,22 @@ private:
   }
 
   /// Which corners decide: of all numbers but frictions both ends, of those the lower.
-  bool is_wanted(Box::Corner c, bool is_least = true) const {
+  bool is_wanted(Box::Corner c) const {
     for (std::size_t k = 0; k < counts_.size(); ++k) {
       const bool is_high = (c >> k & 1U) != 0;
       if (!counts_[k] && is_high) return false;
-      if (counts_[k] && box_.sides()[k].key == "friction" && is_high == is_least) return false;
+      if (is_high && box_.sides()[k].key == "friction") return false;
     }
     return true;
   }
 
-  bool varies_in_friction_alone() const {
-    for (std::size_t k = 0; k < counts_.size(); ++k)
-      if (counts_[k] && box_.sides()[k].key != "friction" &&
-          box_.sides()[k].low < box_.sides()[k].high)
+  /// Do no other numbers vary but friction and these?
+  template <class Keys> bool varies_in(const Keys& keys) const {
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      const BoxSide& side = box_.sides()[k];
+      if (counts_[k] && side.key != "friction" && side.low < side.high && !side.is_one_of(keys))
         return false;
+    }
     return true;
   }
 
@@ -120,10 +122,22 @@ private:
                        "only those are known to be convex";
   }
 
+  /// With the greatest friction. Of a weight between two jaws all depends on grip over mass: if
+  /// that is too little for the most grip and the least mass, it is for all.
   void decide_never() {
-    if (!obstacle_.empty() || !varies_in_friction_alone()) return;
-    for (Box::Corner c = 0; c < box_.corners(); ++c)
-      if (is_wanted(c, false) && study(box_.scene_at(box_.corner(c))).held.value_or(true)) return;
+    constexpr std::array<const char*, 0> nothing{};
+    constexpr std::array weight = {"mass", "grip_force"};
+    const bool is_weight = varies_in(weight) && file_.hand == Hand::parallel &&
+                           file_.object.wrench.isZero(0) && !varies_in(nothing);
+    if (!obstacle_.empty() || !(is_weight || varies_in(nothing))) return;
+    std::vector<Rational> best;
+    for (const BoxSide& side : box_.sides())
+      best.push_back(side.key == "mass" ? side.low : side.high);
+    const HoldStudy found = study(box_.scene_at(best));
+    // What statics cannot hold no law holds; of pads' law it is not known to grow with friction.
+    if (is_weight || !found.is_statics ? !(found.statics_factor > 1 + box_settings.holding)
+                                       : found.held.value_or(true))
+      return;
     answer_.verdict = BoxVerdict::never;
     answer_.corner.clear();
     answer_.corner_scene.clear();

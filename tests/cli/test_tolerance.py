@@ -218,6 +218,7 @@ class Tolerance(ToolTest):
         self.assertIs(corner["held"], False)
         slippery = json_of("hold", self.file("s.toml", SLIDE_TEXT.replace("mass = 0.2 ", "mass = 20 ")), "--tolerance", "*.friction=5%")
         self.assertEqual((slippery["verdict"], slippery["margin"]), ("never", 0))
+        self.assertEqual(json_of("hold", SLIDE, "--tolerance", "object.mass=5:9", "--tolerance", "*.grip_force=10:20")["verdict"], "never")
         locked = self.file("l.toml", SLIDE_TEXT.replace("[object]", '[gripper]\njaws = "locked"\n[object]'))
         self.assertEqual(json_of("hold", locked, "--tolerance", "*.friction=1%")["verdict"], "not_known")
 
