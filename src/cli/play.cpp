@@ -17,7 +17,7 @@ int write_gallery(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.text("output");
   if (!directory) throw UsageError("say where to: --gallery -o DIRECTORY");
   if (!arguments.files().empty() || arguments.has("set"))
-    throw UsageError("--gallery shows the shipped scenes; leave the scene and --set out");
+    throw UsageError("--gallery shows the shipped scenes; leave the scene out");
   const std::filesystem::path into(*directory);
   make_directory(*directory);
   for (const PlayFile& file : play_gallery()) write_file((into / file.name).string(), file.text);
