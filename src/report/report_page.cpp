@@ -112,6 +112,11 @@ Section facts_section(const PageContent& content) {
                                                                   *content.grip, *content.breaking)
                                                       : hold_fact(content.file, content.hold)};
   for (Fact& fact : push_facts(content.file, push)) facts.push_back(std::move(fact));
+  const bool same_motion = push.unique_motion != Uniqueness::no;
+  if (push.status == Status::solved && (!same_motion || push.unique_wrench == Uniqueness::no))
+    facts.push_back({"Other answers", std::string("the laws allow another ") +
+                                          (same_motion ? "push force" : "motion") +
+                                          " as well; lcpush spread says between which bounds"});
   std::string text;
   if (push.status == Status::solved)
     text = paragraph("The push as prescribed is solved. The largest scaled residual is " +

@@ -130,7 +130,7 @@ std::string break_unique_words(const BreakReport& report) {
     largest = std::max(largest, other.break_force);
   }
   const std::string open = same_motion ? "force" : same_force ? "motion" : "force and motion";
-  return "NOT unique: other covering vectors, or mirrors, lead to another " + open +
+  return "NOT unique: other starts, or mirrors, lead to another " + open +
          (same_force ? ""
                      : ";\nfound between " + number(least) + " and " + number(largest) + " N") +
          "\nAll of them: lcpush spread --break";
@@ -178,9 +178,7 @@ std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
           {"Push by " + file.body_names[b],
            wrench_words(body_wrench(file.view(), report.answer, file.bodies[b]), report.noise)});
   facts.push_back({"Motion", motion_words(file, report)});
-  facts.push_back(
-      {"Answer", unique_text(file, report),
-       report.unique_motion != Uniqueness::no && report.unique_wrench != Uniqueness::no});
+  facts.push_back({"Answer", unique_text(file, report), true});
   facts.push_back(friction_fact(file, report));
   facts.push_back(theory);
   return facts;
