@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 #include "cli/shell.hpp"
@@ -138,6 +139,12 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     if (had_output == has("output"))
       for (std::size_t k = first; k <= at; ++k) command_line_ += " " + in_a_shell(words[k]);
   }
+  std::error_code ignored;
+  for (const std::string& file : files_)
+    if (has("output") && std::filesystem::is_regular_file(file, ignored) &&
+        std::filesystem::equivalent(file, *text("output"), ignored))
+      throw UsageError("--output is " + desktop::quoted(file) +
+                       ", which is read; write to another file");
 }
 
 std::vector<std::string> Arguments::texts(const std::string& option) const {

@@ -99,6 +99,10 @@ NewScene asked_scene() {
 }
 
 int run_new(const Arguments& arguments) {
+  std::error_code ignored;
+  const std::string into = arguments.text("output").value_or("");
+  if (std::filesystem::is_regular_file(into, ignored))
+    throw UsageError(desktop::quoted(into) + " exists already; name another file, or remove it");
   NewScene scene;
   bool is_own = false;
   for (const Question& question : questions) {

@@ -22,7 +22,33 @@ template <class S> std::vector<S> read_row(std::string_view text, const std::str
 
 } // namespace
 
-std::string without_brackets(std::string_view text) {
+namespace {
+
+/// What MATLAB and NumPy write about a matrix: "M = np.array(..);", "..." at the end of a line. The
+/// end of a line within ends a row, unless a comma goes on.
+std::string pasted(std::string_view given) {
+  std::string text(given);
+  for (std::size_t at; (at = text.find("...")) != std::string::npos;)
+    text.replace(at, text.substr(at + 3, 1) == "\n" ? 4 : 3, " ");
+  if (const std::size_t at = text.find('='); at != std::string::npos) text.erase(0, at + 1);
+  for (const char* word : {"np.", "numpy.", "array(", "matrix(", ")"})
+    if (const std::size_t at = text.find(word); at != std::string::npos)
+      text.erase(at, std::string_view(word).size());
+  const auto blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
+  while (!text.empty() && blank(text.back())) text.pop_back();
+  char last = ';';
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool goes_on = last == ';' || last == ',' || last == '[' || last == ']';
+    if (text[at] == '\n' && !goes_on) text[at] = last = ';';
+    if (!blank(text[at])) last = text[at];
+  }
+  return text;
+}
+
+} // namespace
+
+std::string without_brackets(std::string_view given) {
+  const std::string text = pasted(given);
   std::string plain;
   int depth = 0;
   bool ends_row = false;
@@ -35,7 +61,7 @@ std::string without_brackets(std::string_view text) {
     if (c != '[' && c != ']' && !is_between) plain += c;
   }
   const bool is_closed = depth == 0 && plain.size() < text.size();
-  if (!is_closed) return std::string(text);
+  if (!is_closed) return text;
   const std::size_t last = plain.find_last_not_of(" ;");
   return last == std::string::npos ? plain : plain.substr(0, last + 1);
 }

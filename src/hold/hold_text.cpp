@@ -77,12 +77,17 @@ std::string cell(double value, bool is_held) {
   return std::isnan(value) ? "-" : std::isinf(value) ? is_held ? "any" : "-" : brief(value);
 }
 
+/// "?" where statics allows it and the scene's law has not said how far; "-" where no law asks.
+std::string limit_cell(const HoldLimit& limit) {
+  return std::isnan(limit.limit) && !std::isnan(limit.statics) ? "?" : cell(limit.limit, true);
+}
+
 TableRows limit_rows(const HoldStudy& study) {
   TableRows rows{{"beyond the load", "+x", "-x", "+y", "-y", "+z", "-z", "weakest"}};
   for (std::size_t kind = 0; kind < 3; ++kind) {
     std::vector<std::string> row = {std::string(disturbance_texts[kind]) + " " + units[kind]};
-    for (std::size_t k = 0; k < 6; ++k) row.push_back(cell(study.limits[6 * kind + k].limit, true));
-    row.push_back(cell(study.weakest[kind].limit, true));
+    for (std::size_t k = 0; k < 6; ++k) row.push_back(limit_cell(study.limits[6 * kind + k]));
+    row.push_back(limit_cell(study.weakest[kind]));
     rows.push_back(row);
   }
   return rows;

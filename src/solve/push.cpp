@@ -182,6 +182,8 @@ Outcome<double> Push::outcome() const {
   for (Index b = 0; b < scene_.bodies.size; ++b)
     if (scene_.bodies[b].role == Role::pusher)
       outcome.wrench += body_wrench(scene_, work_.answer, scene_.bodies[b]);
+  // Nothing in a plane says how an edge across it shares its force along z.
+  if (scene_.planar) outcome.wrench.segment<3>(2).setZero();
   return outcome;
 }
 

@@ -40,9 +40,28 @@ def words(text):
 
 
 class New(ToolTest):
+    def test_no_file_of_ones_own_is_written_over(self):
+        path = self.path / "mine.toml"
+        run("new", "box", "-o", path)
+        text = path.read_text()
+        for command, said in (("new box", "exists already"), (f"solve {path}", "which is read"),
+                              (f"report {path}", "which is read")):
+            result = run(*command.split(), "-o", path)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn(said, result.stderr)
+            self.assertEqual(path.read_text(), text)
+
+    def test_in_a_plane_an_edge_across_it_is_no_doubt(self):
+        path = self.path / "edge.toml"
+        path.write_text(run("new", "box", "--push", "slide", "--mass", "120 g").stdout.replace('along = "y"', 'along = "z"'))
+        result = run("solve", path)
+        self.assertEqual(result.returncode, 0)
+        self.assertNotIn("unique", result.stdout)
+
     def test_every_command_answers(self):
         for kind, options, parts in MADE:
             scene = self.path / "mine.toml"
+            scene.unlink(missing_ok=True)
             made = run("new", kind, *words(options), "-o", scene)
             self.assertEqual(made.returncode, 0, made.stderr)
             for part in parts: self.assertIn(part, scene.read_text())

@@ -218,6 +218,17 @@ TEST_CASE("inline matrices: rows by semicolons, numbers by blanks or commas") {
   }
 }
 
+TEST_CASE("what MATLAB and NumPy print is read") {
+  for (const char* text :
+       {"[2 1\n 1 2]", "M = [2, 1; 1, 2];", "np.array([[2., 1.],\n       [1., 2.]])",
+        "[[2. 1.]\n [1. 2.]]", "2,1\n1,2\n", "[2 1; ...\n 1 2];", "array([[2, 1], [1, 2]])"}) {
+    CAPTURE(text);
+    const HostMatrix m = parse_inline_matrix(text, "--M");
+    CHECK(m.rows == 2);
+    CHECK(m.values == std::vector<double>{2, 1, 1, 2});
+  }
+}
+
 TEST_CASE("malformed inline matrices name the option and the row") {
   const auto refused = [](const char* text) {
     return refusal([text] { parse_inline_matrix(text, "--M"); });

@@ -23,8 +23,9 @@
     floudas_10_2_2: ['1 1; 1 1', '-1 -1', 'a whole segment of solutions'],
   };
 
-  /// Brackets of other languages, and a semicolon at the end, say nothing.
-  const plain = (text) => text.replace(/\]\s*,?\s*\[/g, ';').replace(/[[\]]/g, ' ').trim()
+  /// Brackets and names of other languages, and a semicolon at the end, say nothing.
+  const plain = (text) => text.replace(/^[^=]*=/, '').replace(/\.\.\.\s*\n/g, ' ')
+    .replace(/(np|numpy)\.|(array|matrix)\(|\)/g, '').replace(/\]\s*,?\s*\[/g, ';').replace(/[[\]]/g, ' ').trim()
     .replace(/[;,\s]+$/, '');
   const problem = () => `${plain(by_id('M').value).replace(/[,;]?\s*[\n;]\s*/g, '; ')}\n${
     plain(by_id('q').value).replace(/\s*[;,\n]\s*/g, ' ')}`;
