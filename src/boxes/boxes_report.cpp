@@ -32,7 +32,7 @@ std::string margin_words(const BoxAnswer& answer) {
   if (answer.verdict != BoxVerdict::always)
     return "; with all of these numbers at most " + percent + " it would not";
   return *answer.margin > box_settings.no_margin
-             ? "; it would still however far they were off"
+             ? "; it would still if all of these numbers were up to 100 % off"
              : "; it would still if all of these numbers were " + percent;
 }
 

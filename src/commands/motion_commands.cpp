@@ -99,6 +99,9 @@ Result run_cone(const Values& values, Listener& listener) {
   if (!values.has("vary") && values.lies_in_plane(scene.as_given(), listener)) scene.set_planar();
   if (values.has("vary")) return run_slice(values, format, scene, listener);
   SceneFile file = scene.as_given();
+  if (values.has("tolerance") && scene.ranges().empty())
+    values.refuse("tolerance", values.label("tolerance") +
+                                   " is of a pusher that is left out; name one that pushes");
   if (!scene.ranges().empty() && format != "svg") {
     file.lines.ranges = 0; // they are answered
     const Index pusher = values.pusher(file);

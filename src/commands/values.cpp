@@ -107,7 +107,8 @@ void Values::take_pyramids(SceneFile& file, Listener& listener) const {
 }
 
 bool Values::lies_in_plane(const SceneFile& file, Listener& listener) const {
-  if (!is_plane(file)) return false;
+  // Of pyramids the plane takes other ones; a box may leave the image.
+  if (!file.is_round || has("tolerance") || file.lines.ranges > 0 || !is_plane(file)) return false;
   listener.announce("The scene is its own image across z: taken as planar = true.");
   return true;
 }

@@ -52,6 +52,11 @@ public:
     rays_ = program.rays();
   }
 
+  static StaticsProgram::Optimum most_of(StaticsProgram& program) {
+    if (program.find_point() != Ending::found) return {};
+    return program.minimise(-Eigen::VectorXd::Ones(1));
+  }
+
   /// The largest t of w + t d.
   HoldLimit limit(const HoldDirection& what, bool asks_law = true) {
     const Vector6<double> d = unit_wrench(hand_, what.kind, what.direction, at());
@@ -64,9 +69,12 @@ public:
     const double unit = column.cwiseAbs().maxCoeff();
     if (!(unit > 0)) return found; // a plane has no such load
     column /= unit;
-    StaticsProgram program(statics_, column, 1, statics_.demand(1), rays_);
-    if (program.find_point() != Ending::found) return found;
-    const auto most = program.minimise(-Eigen::VectorXd::Ones(1));
+    std::optional<StaticsProgram> program;
+    StaticsProgram::Optimum most;
+    // The rays that hold the load may be a corner of many, at which a program goes astray.
+    for (const std::vector<ForceRay>& known : {rays_, std::vector<ForceRay>()})
+      if (most.ending == Ending::failed)
+        most = most_of(program.emplace(statics_, column, 1, statics_.demand(1), known));
     if (most.ending == Ending::failed) return found;
     const double si = statics_.scales().force / unit;
     const auto told = [&](double t) { return t > hold_settings.closed ? t * si : 0; };
@@ -75,7 +83,7 @@ public:
     found.upper =
         most.ending == Ending::unlimited ? no_limit : std::max(found.statics, told(-most.bound));
     if (most.ending == Ending::found)
-      found.gives = read_motion(hand_, statics_, most.motion, program.contacts());
+      found.gives = read_motion(hand_, statics_, most.motion, program->contacts());
     found.limit = law_ ? law_->limit(d, found.statics, asks_law) : found.statics;
     return found;
   }

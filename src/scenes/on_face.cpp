@@ -74,6 +74,10 @@ std::pair<Rational, Rational> edge_on_face(const TableReader& object, const Tabl
     half = radius;
   }
   if (!contact.has("length")) return {-half, half};
+  if (contact.has("shift")) { // what lies beside the face is cut off where it then stands
+    const Rational reach = contact.number<Rational>("length", Sign::positive) / Rational(2);
+    return {offset[along] - reach, offset[along] + reach};
+  }
   const Rational reach = contact.number<Rational>("length", Sign::positive) / Rational(2);
   const Rational from = std::max(offset[along] - reach, -half),
                  to = std::min(offset[along] + reach, half);

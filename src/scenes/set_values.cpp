@@ -104,7 +104,7 @@ public:
     const std::size_t dot = path_.rfind('.', bracket);
     owner_ = dot == std::string::npos ? "" : path_.substr(0, dot);
     key_ = path_.substr(dot + 1, bracket - dot - 1);
-    for (const std::string_view part : split_at(path_.substr(bracket), '[')) {
+    for (const std::string_view part : split_at(std::string_view(path_).substr(bracket), '[')) {
       if (part.empty()) continue;
       const auto index = whole_number<std::size_t>(part.substr(0, part.size() - 1));
       if (part.back() != ']' || !index) fail("vectors are counted so: center[0], center[1]");

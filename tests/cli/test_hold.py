@@ -200,6 +200,33 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(asked[1]["limit"], 2 * 10 * 0.004, 6)
 
 
+class AlongTheLoad(unittest.TestCase):
+    def test_a_force_along_an_oblique_load_is_as_good_as_any(self):
+        # Two points of 10 N with friction 0.5 carry 10 N, whichever way the weight points.
+        text = """gravity = [%r, %r, 0]
+[object]
+mass = 0.2
+box = [0.08, 0.04, 0.02]
+[[finger]]
+name = "l"
+shape = "point"
+on = "+z"
+friction = 0.5
+grip_force = 10
+[[finger]]
+name = "r"
+shape = "point"
+on = "-z"
+friction = 0.5
+grip_force = 10
+"""
+        for k in range(24):
+            x, y = 9 * math.cos(1 + k / 3), 9 * math.sin(1 + k / 3)
+            answer = hold(text % (x, y), "--direction", f"force {x} {y} 0")
+            self.assertAlmostEqual(answer["disturbances"][18]["limit"], 8.2, delta=5e-6)
+            self.assertAlmostEqual(answer["added_mass"], 10 / 9 - 0.2, delta=1e-6)
+
+
 class OutsideProgram(unittest.TestCase):
     def test_random_grasps_are_those_of_an_outside_cone_program(self):
         try:

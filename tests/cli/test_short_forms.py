@@ -260,6 +260,19 @@ class Faces(SceneTest):
             ("pusher", LINE + "\nvelocity = [0, 0.1, 0]", 'on = "-y"\nalong = "x"'),
             ("pusher", RECTANGLE + "\nvelocity = [-0.1, 0, 0]", 'on = "+x"\nalong = "z"')]))
 
+    def test_an_edge_beyond_the_face_is_cut_where_it_then_stands(self):
+        face = {"object": 'box = [0.1, 0.08, 0.02]', "place": 'on = "-x"\nalong = "y"\nlength = "200 mm"'}
+        text = (SOURCE / "fixtures/scenes/straight_slide.toml").read_text()
+        text = text.replace("box = [0.1, 0.03, 0.01]", face["object"]).replace(
+            "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]\n", face["place"] + "\n").replace("normal = [1, 0, 0]\n", "")
+        places = []
+        for shift in (0, -0.06, -0.13):
+            answer = json_of("solve", "-", "--set", f"wall.shift[1]={shift}", text=text)
+            places.append([c["position"][1] for c in answer["contacts"] if c["body"] == "wall"])
+        for found, ends in zip(places, ((-0.04, 0.04), (-0.04, 0.04), (-0.04, -0.03))):
+            for at, end in zip(found, ends):
+                self.assertAlmostEqual(at, end, 9)
+
     def test_sweeps_move_the_face(self):
         """A box that grows takes its contacts along; offsets are numbers of the scene; shifts are the scene's."""
         motion, pads = SHAPES[2] + "\nacceleration = [0.1, 0, 0]", [

@@ -208,6 +208,19 @@ class Tolerance(ToolTest):
         answer = json_of("cone", self.file("off.toml", text), "--tolerance", "left.friction=0.5:2")
         self.assertEqual((answer["verdict"], answer["corner"]), ("may_slip", {"left.friction": 2}))
 
+    def test_a_box_is_of_a_plane_only_where_the_scene_says_so(self):
+        # Ranges may leave the mirror image that the middle is: only `planar = true` drops what is across.
+        spatial = SQUARE.read_text().replace("planar = true", "")
+        for words in (("--tolerance", "*.friction=10%"), ("--tolerance", "gravity[2]=-500:500")):
+            for name, *rest in (("cone", "--pusher", "east"), ("plan", "--to", "-0.04 0.02 0.1")):
+                said = " ".join(run(name, self.file("s.toml", spatial), *rest, *words).stderr.split())
+                self.assertIn("planar = true", said)
+                self.assertNotIn("taken as", said)
+        pyramids = self.file("p.toml", spatial.replace("[object]", "facets = 4\n[object]", 1))
+        self.assertIn("planar = true", run("cone", pyramids, "--pusher", "east").stderr)
+        left_out = run("cone", SQUARE, "--pusher", "east", "--tolerance", "south.friction=0.1:0.9")
+        self.assertIn("a pusher that is left out", " ".join(left_out.stderr.split()))
+
     def test_hold(self):
         held = json_of("hold", SLIDE, "--tolerance", "*.friction", "--tolerance", "object.mass", "--tolerance", "*.grip_force")
         least = held["least_grip"]["statics_factor"]  # (1 - e)^2 / (1 + e) of friction, grip and mass
