@@ -137,7 +137,7 @@ class Export(ToolTest):
         for words, message in [
                 (("export", SLIDE), "say where to: -o DIRECTORY"),
                 (("export", "missing.toml", "-o", self.out), "missing.toml"),
-                (("export", SLIDE, "-o", SLIDE), "cannot be made")]:
+                (("export", SLIDE, "-o", SLIDE), "--output is ")]:
             result = run(*words)
             self.assertEqual((result.returncode, result.stdout), (2, ""), words)
             self.assertIn(message, result.stderr)

@@ -69,7 +69,6 @@ class HelpTest(ToolTest):
             said = " ".join(run(*words, "-o", page).stderr.split())
             said = said[max(said.find("Wrote"), 0):]  # after progress
             self.assertEqual(said, f"Wrote {page}; open it in a browser.")
-        run("new", "box", "-o", mine)
         said = " ".join(run("new", "box", "-o", mine).stderr.split())
         self.assertEqual(said, f"Wrote {mine}; next: lcpush solve {mine}")
         self.assertEqual(run("solve", SLIDE, "--json", "-o", page).stderr, "")
