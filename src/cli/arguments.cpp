@@ -107,12 +107,18 @@ void Arguments::read_option(const std::vector<std::string>& words, std::size_t& 
                                    : "; lcpush " + listed(others, "and") + " would take it"));
 }
 
+std::string quoted_for_shell(std::string word) {
+  for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4)
+    word.replace(at, 1, "'\\''");
+  return "'" + word + "'";
+}
+
 namespace {
 
-/// The word as a shell takes it.
+/// Quoted only where a shell would take it apart.
 std::string in_a_shell(const std::string& word) {
   const bool is_plain = word.find_first_of(" \t*?[]$&|;<>()'\"\\`~#") == std::string::npos;
-  return is_plain ? word : "'" + word + "'";
+  return is_plain ? word : quoted_for_shell(word);
 }
 
 } // namespace

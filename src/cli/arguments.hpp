@@ -23,6 +23,9 @@ public:
 /// The names of the commands that take an option of this name, such as "--steps".
 std::vector<std::string> commands_with(const std::string& option);
 
+/// In single quotes.
+std::string quoted_for_shell(std::string word);
+
 class Arguments : public commands::Values {
 public:
   /// Throws UsageError. `-o` and `--output`, `--json` and `--format json` are the same.

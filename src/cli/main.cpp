@@ -120,11 +120,7 @@ double limit_time(const Command& command, const Arguments& arguments) {
 /// " --set 'wall.friction=0.4'", fit for a shell.
 std::string set_words(const Arguments& arguments) {
   std::string words;
-  for (std::string one : arguments.texts("set")) {
-    for (std::size_t at = 0; (at = one.find('\'', at)) != std::string::npos; at += 4)
-      one.replace(at, 1, "'\\''");
-    words += " --set '" + one + "'";
-  }
+  for (const std::string& one : arguments.texts("set")) words += " --set " + quoted_for_shell(one);
   return words;
 }
 

@@ -47,8 +47,9 @@ endfunction()
 foreach(entry IN ITEMS
         explorer_template=${SOURCES}/pivots/explorer/explorer.html
         explorer_style=${SOURCES}/pivots/explorer/explorer.css
-        play_template=${SOURCES}/play/page/page.html
-        lcp_template=${SOURCES}/play/page/lcp.html
+        play_frame=${SOURCES}/play/page/frame.html
+        play_body=${SOURCES}/play/page/page.html
+        lcp_body=${SOURCES}/play/page/lcp.html
         gallery_template=${SOURCES}/play/page/gallery.html
         play_style=${SOURCES}/play/page/page.css)
   string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")

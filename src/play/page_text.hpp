@@ -5,11 +5,12 @@
 
 namespace lcpush::desktop {
 
-/// The page, with the explorer's places /*LOOKS*/ and /*DRAWING*/, and /*STYLE*/, /*SCRIPT*/,
-/// /*SOLVER*/ and /*SCENE*/.
-std::string play_template();
-/// The same places, without /*SCENE*/.
-std::string lcp_template();
+/// Around either page: the explorer's places /*LOOKS*/ and /*DRAWING*/, and /*TITLE*/, /*STYLE*/,
+/// /*BODY*/, /*SOLVER*/ and /*SCRIPT*/.
+std::string play_frame();
+/// With the places <!--KEY--> and /*SCENE*/.
+std::string play_body();
+std::string lcp_body();
 std::string play_style();
 std::string play_script();
 /// With the places /*STYLE*/ and /*SCENES*/.

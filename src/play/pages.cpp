@@ -15,8 +15,11 @@ void fill(std::string& page, const std::string& placeholder, const std::string& 
   page.replace(page.find(placeholder), placeholder.size(), text);
 }
 
-/// Either page, with all but what it begins with.
-std::string with_solver(std::string page) {
+/// A page around the solver, with all but what its body begins with.
+std::string with_solver(const std::string& title, const std::string& body) {
+  std::string page = play_frame();
+  fill(page, "/*TITLE*/", title);
+  fill(page, "/*BODY*/", body);
   fill(page, "/*LOOKS*/", palette(":root") + drawing_style());
   fill(page, "/*STYLE*/", play_style());
   fill(page, "/*DRAWING*/", drawing_script());
@@ -43,14 +46,14 @@ std::string entry(const ShippedScene& scene, std::vector<PlayFile>& files) {
 } // namespace
 
 std::string play_html(const std::string& text) {
-  std::string page = with_solver(play_template());
+  std::string page = with_solver("lcpush playground", play_body());
   fill(page, "<!--KEY-->", state_key());
   // The scene last: what it says must not be taken for a placeholder.
   fill(page, "/*SCENE*/", escaped(text));
   return page;
 }
 
-std::string lcp_html() { return with_solver(lcp_template()); }
+std::string lcp_html() { return with_solver("Your own M and q", lcp_body()); }
 
 std::vector<PlayFile> play_gallery() {
   const std::vector<ShippedScene> scenes = example_scenes();
