@@ -121,16 +121,11 @@ Box::Box(const VariedScene& scene) : scene_(scene), parameters_(scene.ranges()) 
     }
     const Rational middle = (*low + *high) / Rational(2);
     const bool is_place = std::find(places.begin(), places.end(), key) != places.end();
-    const std::string owner = parameter.path.substr(0, parameter.path.rfind('.'));
-    const auto body = std::find(file.body_names.begin(), file.body_names.end(), owner);
-    sides_.push_back({{parameter},
-                      *low,
-                      middle,
-                      *high,
-                      key,
-                      !is_place && middle.sign() != 0,
-                      body != file.body_names.end() &&
-                          file.body(body - file.body_names.begin()).role == Role::finger});
+    const auto body = std::find(file.body_names.begin(), file.body_names.end(), parameter.owner);
+    std::optional<Role> role;
+    if (body != file.body_names.end()) role = file.body(body - file.body_names.begin()).role;
+    sides_.push_back(
+        {{parameter}, *low, middle, *high, key, !is_place && middle.sign() != 0, role});
   }
   if (sides_.size() > box_settings.most_sides)
     refuse(parameters_.back().path, "a box of " + std::to_string(sides_.size()) +
@@ -163,6 +158,12 @@ std::vector<Rational> Box::middle() const {
   std::vector<Rational> values;
   for (const BoxSide& side : sides_) values.push_back(side.middle);
   return values;
+}
+
+bool Box::is_scaled(const std::vector<bool>& counts) const {
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (counts[k] && sides_[k].is_relative) return true;
+  return false;
 }
 
 SceneFile Box::scene_at(const std::vector<Rational>& of_sides) const {
@@ -202,7 +203,8 @@ std::vector<SceneFile> corner_scenes(const VariedScene& scene,
     bool is_wanted = true;
     for (std::size_t k = 0; k < box.sides().size(); ++k) {
       const BoxSide& side = box.sides()[k];
-      is_wanted = is_wanted && ((c >> k & 1U) == 0 || side.key != "friction" || side.is_finger);
+      is_wanted =
+          is_wanted && ((c >> k & 1U) == 0 || side.key != "friction" || side.role == Role::finger);
     }
     if (!is_wanted) continue;
     scenes.push_back(box.scene_at(box.corner(c, wide)));

@@ -13,9 +13,9 @@ namespace lcpush::desktop {
 struct BoxSide {
   std::vector<Parameter> parameters;
   Rational low, middle, high;
-  std::string key;  ///< "friction", "ends", ..
-  bool is_relative; ///< a margin scales it: no place, and not 0 in the middle
-  bool is_finger;   ///< of a finger's table
+  std::string key;          ///< "friction", "ends", ..
+  bool is_relative;         ///< a margin scales it: no place, and not 0 in the middle
+  std::optional<Role> role; ///< of the body that it is a number of; of other tables none
 
   template <class Keys> bool is_one_of(const Keys& keys) const {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -43,6 +43,8 @@ public:
     return scene_.exactly_at(parameters_, values(of_sides));
   }
   std::vector<Rational> middle() const;
+  /// Does a margin scale a number that counts?
+  bool is_scaled(const std::vector<bool>& counts) const;
 
   /// The box and nothing known.
   BoxAnswer answer() const;

@@ -36,14 +36,11 @@ public:
 private:
   void find_obstacle() {
     for (const BoxSide& side : box_.sides()) {
-      const std::string& path = side.parameters[0].path;
-      const bool is_pusher = !side.is_finger && path.find('.') != std::string::npos &&
-                             path.find("object.") != 0 && side.key != "force";
-      const bool is_idle = is_pusher || side.is_one_of(keys_of_pushes);
+      const bool is_idle = side.role == Role::pusher || side.is_one_of(keys_of_pushes);
       counts_.push_back(!is_idle);
       if (!is_idle && side.key != "friction" && !side.is_one_of(load_keys) &&
           !side.is_one_of(sizes))
-        obstacle_ = "what is held is not known to be convex in " + path;
+        obstacle_ = "what is held is not known to be convex in " + side.parameters[0].path;
     }
     if (file_.hand == Hand::locked)
       obstacle_ = "locked jaws press with what the load makes of their grip, which is not convex";
@@ -151,12 +148,9 @@ private:
   }
 
   void find_margin() {
-    bool is_scaled = false;
-    for (std::size_t k = 0; k < counts_.size(); ++k)
-      is_scaled = is_scaled || (counts_[k] && box_.sides()[k].is_relative);
     answer_.is_indifferent = std::find(counts_.begin(), counts_.end(), true) == counts_.end() &&
                              answer_.verdict == BoxVerdict::always;
-    if (!is_scaled) return;
+    if (!box_.is_scaled(counts_)) return;
     answer_.margin = widest_margin([this](double e) { return holds(e); }, true);
   }
 

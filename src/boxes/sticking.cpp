@@ -165,13 +165,10 @@ private:
   /// The boxes of growing margins lie in each other: there is one largest. It is looked for with
   /// rounding, and what is a little smaller proved without.
   void find_margin() {
-    bool is_scaled = false;
-    for (std::size_t k = 0; k < box_.sides().size(); ++k)
-      is_scaled = is_scaled || (model_.counts()[k] && box_.sides()[k].is_relative);
     const auto& counts = model_.counts();
     answer_.is_indifferent = std::find(counts.begin(), counts.end(), true) == counts.end() &&
                              answer_.verdict == BoxVerdict::always;
-    if (!is_scaled) return;
+    if (!box_.is_scaled(counts)) return;
     double margin = widest_margin([this](double e) { return sticks(e); });
     Box::Corner worst = 0;
     const auto holds = [&](double e) {

@@ -25,8 +25,11 @@ struct Named {
   std::string owner, rest; ///< "left" and "points[0][1]"; both as in the path
 };
 
-std::string path_of(const Named& named) {
-  return named.owner.empty() ? named.rest : named.owner + "." + named.rest;
+Parameter parameter_of(const Named& named) {
+  Parameter parameter = named.parameter;
+  parameter.owner = named.owner;
+  parameter.path = named.owner.empty() ? named.rest : named.owner + "." + named.rest;
+  return parameter;
 }
 
 void add_numbers(const TomlValue& value, Named& named, std::vector<Named>& list) {
@@ -116,7 +119,7 @@ std::vector<Named> all_parameters(const TomlDocument& document) {
     list.push_back(list[i]);
     list.back().owner = "*";
   }
-  for (Named& named : list) named.parameter.path = path_of(named);
+  for (Named& named : list) named.parameter = parameter_of(named);
   return list;
 }
 
@@ -295,10 +298,7 @@ std::string VariedScene::text_at(const std::vector<Parameter>& parameters,
 std::vector<Parameter> VariedScene::ranges() const {
   std::vector<Parameter> list;
   for (const Named& named : single_parameters(*document_))
-    if (!named.parameter.ends.empty()) {
-      list.push_back(named.parameter);
-      list.back().path = path_of(named);
-    }
+    if (!named.parameter.ends.empty()) list.push_back(parameter_of(named));
   return list;
 }
 
@@ -309,8 +309,7 @@ std::vector<Parameter> VariedScene::singles(const std::string& path) const {
     const Place& place = named.parameter.places.front();
     if (std::none_of(wanted.begin(), wanted.end(), [&](const Place& one) { return one == place; }))
       continue;
-    list.push_back(named.parameter);
-    list.back().path = path_of(named);
+    list.push_back(parameter_of(named));
   }
   return list;
 }

@@ -237,6 +237,17 @@ class Tolerance(ToolTest):
         locked = self.file("l.toml", SLIDE_TEXT.replace("[object]", '[gripper]\njaws = "locked"\n[object]'))
         self.assertEqual(json_of("hold", locked, "--tolerance", "*.friction=1%")["verdict"], "not_known")
 
+    def test_how_an_actuator_moves_its_bodies_is_not_known_to_be_convex(self):
+        finger = '[[finger]]\nname = "{0}"\nshape = "point"\non = "{1}z"\nfriction = 0.5\n'
+        text = "gravity = [0, -9.81, 0]\n[object]\nmass = 0.2\nbox = [0.08, 0.04, 0.02]\n" + finger.format("l", "+") + (
+            finger.format("r", "-")) + '[[actuator]]\nname = "jaw"\nbodies = ["l", "r"]\nforce = 10\n' + (
+            "twists = [[0, 0, -1, 0, 0, 0], [0, 0, 1, 0, 0, 0]]\n")
+        scene = self.file("actuator.toml", text)
+        for word, verdict in (("jaw.force=9:11", "always"), ("jaw.twists[1][2]=0.5:9", "may_slip"),
+                              ("jaw.twists[1][2]=0.9:1.1", "not_known")):
+            self.assertEqual(json_of("hold", scene, "--tolerance", word)["verdict"], verdict, word)
+        self.assertIs(json_of("hold", scene, "--set", "jaw.twists[1][2]=9")["held"], False)
+
     def test_plans(self):
         words = ("plan", SQUARE, "--to", "-0.04 0.02 0.1", "--tolerance", "*.friction=10%", "--tolerance", "object.mass=20%")
         plan = json_of(*words)

@@ -39,6 +39,7 @@ struct Parameter {
   std::string typed = {};             ///< the same as digits; empty for a turn
   std::vector<std::string> ends = {}; ///< of a range, of which it is the middle, as typed
   std::string label = {};             ///< of an axis of a plot; empty: words for the path
+  std::string owner = {}; ///< whose number: "left", "object", "*" of all bodies; or empty
 };
 
 /// The scene's text with these values in it, "wall.friction=0.4", one after the other; its title
