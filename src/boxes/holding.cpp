@@ -86,7 +86,7 @@ private:
                                              : std::vector<bool>());
     const Index moves = has_pads ? statics.displacement().cols() : 0;
     Eigen::MatrixXd D(statics.rows(), moves + 1);
-    D.leftCols(moves) = statics.displacement().leftCols(moves);
+    if (has_pads) D.leftCols(moves) = statics.displacement().leftCols(moves);
     D.col(moves).setZero();
     StaticsProgram program(statics, D, moves, statics.demand(1));
     return program.find_point() == StaticsProgram::Ending::found;
