@@ -1,7 +1,7 @@
 """lcpush lcp and verify --lcp in boxes: --lo, --hi and --findex, from files, typed, and from standard input."""
 import json
 
-from tool import ToolTest, main, run
+from tool import ToolTest, main, run, unwrapped
 
 ARRAY = "%%MatrixMarket matrix array real general\n"
 CONTACT = ("--M", "2 0; 0 2", "--q", "-5 -3")
@@ -89,7 +89,7 @@ class Boxes(ToolTest):
         found = answer(M, q)
         self.assertEqual((found["status"], found["solver"]), ("solved", "gauss-seidel"))
         self.assertLess(found["residual"], 1e-8)
-        refused = " ".join(run("lcp", M, q, "--solver", "lemke").stderr.split())
+        refused = unwrapped(run("lcp", M, q, "--solver", "lemke").stderr)
         self.assertIn("pivots store 1.6 GB, and no command takes more than 1", refused)
         self.assertIn("--seconds", run("lcp", "--help").stdout)
 
@@ -102,7 +102,7 @@ class Boxes(ToolTest):
         M = self.path / "chain.mtx"
         M.write_text(f"%%MatrixMarket matrix coordinate real symmetric\n{n} {n} {len(lines)}\n" + "\n".join(lines))
         q = self.file("q.mtx", *["1"] * n)
-        told = " ".join(run("lcp", M, q, "--solver", "lemke").stderr.split())
+        told = unwrapped(run("lcp", M, q, "--solver", "lemke").stderr)
         self.assertIn("lcpush: 2001 unknowns in one piece: pivots store 0.1 GB", told)
         self.assertIn("--solver gauss-seidel stores only what is not zero", told)
         self.assertEqual(run("lcp", M, q, "--solver", "gauss-seidel").stderr, "")

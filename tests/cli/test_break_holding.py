@@ -2,7 +2,7 @@
 import json
 import re
 
-from tool import SCENES, ToolTest, json_of, main, run
+from tool import SCENES, ToolTest, json_of, main, run, unwrapped
 from random_scenes import random_scene
 SLIDE_TEXT = "facets = 8\n" + (SCENES / "straight_slide.toml").read_text()
 KEYS = ("smallest_grip", "smallest_grip_factor", "smallest_grip_from", "holds_at_rest",
@@ -77,7 +77,7 @@ class Holding(ToolTest):
         return answer
 
     def text(self, text):
-        return " ".join(self.run_tool(text).split())
+        return unwrapped(self.run_tool(text))
 
     def test_a_grasp_that_holds_says_down_to_which_force(self):
         answer = self.answer(SLIDE_TEXT)

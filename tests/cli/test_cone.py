@@ -5,7 +5,7 @@ import math
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from tool import SOURCE, command, json_of, main
+from tool import SOURCE, command, json_of, main, unwrapped
 
 run = command("cone")
 SQUARE = SOURCE / "docs/guide/square.toml"
@@ -102,7 +102,7 @@ class Cone(unittest.TestCase):
         given, found = (run("-", "--pusher", "east", "--json", text=square(*changes))
                         for changes in ((), (("planar = true\n", "\n"),)))
         self.assertEqual((found.returncode, found.stdout), (0, given.stdout))
-        self.assertIn("its own image across z", " ".join(found.stderr.split()))
+        self.assertIn("its own image across z", unwrapped(found.stderr))
         self.assertNotIn("image", given.stderr)
 
     def test_what_has_no_cone_is_refused_with_its_line(self):
@@ -117,7 +117,7 @@ class Cone(unittest.TestCase):
         for changes, words in refused:
             result = run("-", "--pusher", "east", text=square(*changes))
             self.assertEqual(result.returncode, 2, words)
-            self.assertIn(words, " ".join(result.stderr.split()))
+            self.assertIn(words, unwrapped(result.stderr))
             self.assertRegex(result.stderr, r"<stdin>:\d+:|standard input:\d+:|:\d+: ")
             self.assertEqual(result.stdout, "")
 

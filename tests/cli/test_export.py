@@ -2,7 +2,7 @@
 import json
 import pathlib
 
-from tool import SOURCE, ToolTest, main, run
+from tool import SOURCE, ToolTest, main, run, unwrapped
 
 SCENES = sorted((SOURCE / "fixtures/scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
@@ -140,7 +140,7 @@ class Export(ToolTest):
                 (("export", SLIDE, "-o", SLIDE), "--output is ")]:
             result = run(*words)
             self.assertEqual((result.returncode, result.stdout), (2, ""), words)
-            self.assertIn(message, result.stderr)
+            self.assertIn(message, unwrapped(result.stderr))
         self.assertFalse(self.out.exists())
 
 

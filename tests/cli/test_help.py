@@ -2,7 +2,7 @@
 import re
 import shlex
 
-from tool import SCENES, SOURCE, ToolTest, main, run
+from tool import SCENES, SOURCE, ToolTest, main, run, unwrapped
 
 OVERVIEW = run().stderr
 COMMANDS = re.findall(r"^(?:[a-z]+| ) +([a-z]+)  ", OVERVIEW, flags=re.M)
@@ -66,10 +66,10 @@ class HelpTest(ToolTest):
     def test_what_is_to_be_looked_at_is_named_when_written(self):
         page, mine = self.path / "page.html", self.path / "mine.toml"
         for words in (["report", SLIDE], ["play"], ["move", SLIDE, "--time", "0.01", "--format", "html"]):
-            said = " ".join(run(*words, "-o", page).stderr.split())
+            said = unwrapped(run(*words, "-o", page).stderr)
             said = said[max(said.find("Wrote"), 0):]  # after progress
             self.assertEqual(said, f"Wrote {page}; open it in a browser.")
-        said = " ".join(run("new", "box", "-o", mine).stderr.split())
+        said = unwrapped(run("new", "box", "-o", mine).stderr)
         self.assertEqual(said, f"Wrote {mine}; next: lcpush solve {mine}")
         self.assertEqual(run("solve", SLIDE, "--json", "-o", page).stderr, "")
 

@@ -10,7 +10,7 @@ import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from tool import SCENES, SOURCE, ToolTest, command, main
+from tool import SCENES, SOURCE, ToolTest, command, main, unwrapped
 
 import held_loads
 
@@ -350,7 +350,7 @@ class Words(ToolTest):
         lines = command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--steps", 6, "--format", "csv").stdout.split("\n")
         self.assertEqual(lines[0], "*.friction,held,least_grip,factor,margin")
         ElementTree.fromstring(command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--format", "svg").stdout)
-        self.assertIn("Held with 10.2 times the grip it needs", " ".join(command("report")(text).stdout.split()))
+        self.assertIn("Held with 10.2 times the grip it needs", unwrapped(command("report")(text).stdout))
 
     def test_bad_questions_are_refused(self):
         text = self.file("pinch.toml", scene(pinch()))

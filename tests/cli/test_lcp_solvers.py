@@ -5,7 +5,7 @@ import json
 import random
 import re
 
-from tool import SOURCE, ToolTest, command, main
+from tool import SOURCE, ToolTest, command, main, unwrapped
 
 run = command("lcp")
 TEXTBOOK = SOURCE / "fixtures/textbook"
@@ -123,7 +123,7 @@ class LcpSolvers(ToolTest):
         self.assertRegex(answer["reason"], r"limit of sweeps.*residual is \d.*--sweeps")
         result = run(*inline([[1, 2, 0], [0, 1, 2], [2, 0, 1]], [-1, -1, -1]), "--solver", "pgs")
         self.assertEqual(result.returncode, 1)
-        self.assertRegex(" ".join(result.stdout.split()),
+        self.assertRegex(unwrapped(result.stdout),
                          r"^Not solved \(stagnated\): .*use hybrid or lemke")
 
     def test_history_is_the_same_in_every_format(self):

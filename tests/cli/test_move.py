@@ -8,7 +8,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import tool
-from tool import SCENES, command, main
+from tool import SCENES, command, main, unwrapped
 
 from motion_frames import faults
 from random_scenes import random_scene
@@ -144,7 +144,7 @@ class Move(unittest.TestCase):
         self.assertEqual((printed["end"], printed["status"], code), ("lost", "does_not_hold", 1))
         self.assertIn(printed["end_body"], ("left", "right"))
         self.assertGreater(len(printed["frames"]), 40)
-        self.assertIn("touches it nowhere", " ".join(run(SLIDE, "--time", 2).stdout.split()))
+        self.assertIn("touches it nowhere", unwrapped(run(SLIDE, "--time", 2).stdout))
 
     def test_what_a_step_undoes_is_no_event(self):
         text = "facets = 8\n" + (SCENES / "dropped.toml").read_text()
@@ -173,7 +173,7 @@ class Move(unittest.TestCase):
                 (("--frames", "1"), "--frames"), (("--format", "png"), "--format")):
             result = run(SLIDE, *words)
             self.assertEqual(result.returncode, 2, words)
-            self.assertIn(message, " ".join(result.stderr.split()))
+            self.assertIn(message, unwrapped(result.stderr))
             self.assertEqual(result.stdout, "")
         result = run(SCENES / "coin.toml")
         self.assertEqual(result.returncode, 2)

@@ -4,7 +4,7 @@ import pty
 import re
 import subprocess
 
-from tool import TOOL, ToolTest, json_of, main, run
+from tool import TOOL, ToolTest, json_of, main, run, unwrapped
 
 # object, options, what the scene then has
 MADE = [
@@ -89,14 +89,14 @@ class New(ToolTest):
             with self.subTest(typed):
                 result = run("new", *words(typed))
                 self.assertEqual((result.returncode, result.stdout), (2, ""))
-                self.assertIn(said, " ".join(result.stderr.split()))
+                self.assertIn(said, unwrapped(result.stderr))
 
     def test_a_terminal_is_asked(self):
         ours, theirs = pty.openpty()
         os.write(ours, "cylinder\n\n120\n120 g\n8 mm\npivot\n".encode())
         scene = self.path / "asked.toml"
         tool = subprocess.run([TOOL, "new", "-o", scene], stdin=theirs, stdout=theirs, stderr=theirs, timeout=60)
-        said = " ".join(os.read(ours, 10000).decode().split())
+        said = unwrapped(os.read(ours, 10000).decode())
         self.assertEqual(tool.returncode, 0, said)
         self.assertIn("Box or cylinder? [box]", said)
         self.assertIn("and their units How heavy? [200 g]", said)  # asked again

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
-from tool import SOURCE, TOOL, main
+from tool import SOURCE, TOOL, main, unwrapped
 
 from random_scenes import random_scene
 
@@ -67,7 +67,7 @@ class People(unittest.TestCase):
 
     def test_the_first_sentence_says_how_hard_which_way_and_what_moves(self):
         lines = run("solve", SLIDE).stdout.split("\n\n")
-        self.assertEqual(" ".join(lines[1].split()),
+        self.assertEqual(unwrapped(lines[1]),
                          "Push with 20.1 N (20 N along x and 1.96 N up): the box slides along x, "
                          "every finger point slips and wall sticks.")
         for word in ("cover", "(H1)", "pivots", "residual"):
@@ -88,7 +88,7 @@ class People(unittest.TestCase):
     def test_a_turn_about_an_axis_far_away_is_a_slide(self):
         # normals typed to seven digits
         text = SLIDE.read_text().replace("normal = [0, 0, -1]", "normal = [0.0000003, 0, -1]")
-        self.assertIn("slides along x", " ".join(run("solve", "-", text=text).stdout.split()))
+        self.assertIn("slides along x", unwrapped(run("solve", "-", text=text).stdout))
 
     def test_where_nothing_moves_rounding_is_not_shown(self):
         scene = run("new", "box").stdout
@@ -98,12 +98,12 @@ class People(unittest.TestCase):
 
     def test_a_push_that_moves_nothing_breaks_nothing(self):
         scene = run("new", "box").stdout.replace("acceleration = [0.1, 0, 0]", "acceleration = [0, 0, 0.1]")
-        text = " ".join(run("break", "-", text=scene).stdout.split())
+        text = unwrapped(run("break", "-", text=scene).stdout)
         self.assertIn("The push does not break the grasp: wall slides along the box, which does not move.", text)
         self.assertNotIn("breaks at", text)
 
     def test_two_answers_are_told_with_both_numbers(self):
-        text = " ".join(run("break", SOURCE / "fixtures/scenes/rolling_two_answers.toml").stdout.split())
+        text = unwrapped(run("break", SOURCE / "fixtures/scenes/rolling_two_answers.toml").stdout)
         mine = re.search(r"breaks at ([0-9.]+) N", text)[1]
         other = next(force for force in re.search(r"unique: ([0-9.]+) or ([0-9.]+) N", text).groups()
                      if force != mine)
@@ -145,7 +145,7 @@ class People(unittest.TestCase):
             scene = run("new", thing, "--push", push).stdout
             result = run("solve", "-", "--strict", text=scene)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-            self.assertIn(f"the {thing} {verb}", " ".join(result.stdout.split()))
+            self.assertIn(f"the {thing} {verb}", unwrapped(result.stdout))
         self.assertEqual(run("new", "box", "--push", "roll").returncode, 2)
 
     def test_what_other_programs_write_is_understood_or_named(self):

@@ -5,7 +5,7 @@ import random
 import re
 import unittest
 
-from tool import SOURCE, main, run
+from tool import SOURCE, main, run, unwrapped
 
 SQUARE = SOURCE / "docs/guide/square.toml"
 
@@ -147,14 +147,14 @@ class Plan(unittest.TestCase):
         text = square(head="gravity = [0, -9.81, 0]\n").replace("grip_force = 50", "grip_force = 2")
         result = run("plan", "-", "--to", "-0.01 0 0", text=text)
         self.assertEqual(result.returncode, 1)
-        self.assertIn("does not hold the box before it is pushed", " ".join(result.stdout.split()))
+        self.assertIn("does not hold the box before it is pushed", unwrapped(result.stdout))
         answer = json.loads(run("plan", "-", "--to", "-0.01 0 0", "--json", text=text).stdout)
         self.assertEqual((answer["holds_start"], answer["found"], answer["tried"]), (False, False, 0))
 
     def test_goals_beside_the_grip_or_in_other_units_are_told_at_once(self):
         result = run("plan", SQUARE, "--to", "-40 20 0.1")
         self.assertEqual(result.returncode, 1)
-        words = " ".join(result.stdout.split())
+        words = unwrapped(result.stdout)
         self.assertIn("No plan leads to (-40000, 20000) mm", words)
         self.assertIn("--to is in m and rad", words)
         answer = json.loads(run("plan", SQUARE, "--to", "-0.3 0 0", "--json").stdout)
@@ -162,15 +162,15 @@ class Plan(unittest.TestCase):
         for turn in ("30", "10", "-7"):
             degrees = run("plan", SQUARE, "--to", f"-0.01 0 {turn}")
             self.assertEqual(degrees.returncode, 2)
-            self.assertIn("not in degrees", " ".join(degrees.stderr.split()))
+            self.assertIn("not in degrees", unwrapped(degrees.stderr))
 
     def test_what_cannot_be_reached_says_how_near_it_came(self):
         text = without(square(), "south", "north")
         result = run("plan", "-", "--to", "0.02 0 0", "--seconds", "1", text=text)
         self.assertEqual(result.returncode, 1)
         self.assertIn("No plan was found that takes the box to (20, 0) mm and 0 degrees",
-                      " ".join(result.stdout.split()))
-        self.assertIn("the nearest that pushes reach is (0, 0) mm", " ".join(result.stdout.split()))
+                      unwrapped(result.stdout))
+        self.assertIn("the nearest that pushes reach is (0, 0) mm", unwrapped(result.stdout))
         answer = json.loads(run("plan", "-", "--to", "0.02 0 0", "--seconds", "1", "--json",
                                  text=text).stdout)
         self.assertEqual((answer["found"], answer["pushes"], answer["scene"]), (False, [], None))
@@ -186,13 +186,13 @@ class Plan(unittest.TestCase):
     def test_a_turn_in_place_has_no_direction(self):
         for to in ("0 0 0.1", "0 0 -0.2"):
             text = run("plan", SQUARE, "--to", to).stdout
-            self.assertIn(" turns it by ", " ".join(text.split()))
+            self.assertIn(" turns it by ", unwrapped(text))
             self.assertNotIn("nan", text)
 
     def test_where_it_is_already_needs_no_push(self):
         result = run("plan", SQUARE, "--to", "0 0.0005 0.01")
         self.assertEqual(result.returncode, 0)
-        self.assertIn("No push is needed: the box is as near to (0, 0.5) mm", " ".join(result.stdout.split()))
+        self.assertIn("No push is needed: the box is as near to (0, 0.5) mm", unwrapped(result.stdout))
         answer = json.loads(run("plan", SQUARE, "--to", "0 0 0", "--json").stdout)
         self.assertEqual((answer["found"], answer["pushes"], answer["scene"]), (True, [], None))
 
@@ -226,14 +226,14 @@ class Plan(unittest.TestCase):
         apart = run("plan", "-", "--to", "-0.01 0 0",
                      text=square().replace("[[0.05, -0.04, 0], [0.05", "[[0.055, -0.04, 0], [0.055"))
         self.assertEqual(apart.returncode, 2)
-        self.assertIn("east.1 stands 5 mm off the object", " ".join(apart.stderr.split()))
+        self.assertIn("east.1 stands 5 mm off the object", unwrapped(apart.stderr))
         spatial = run("plan", "-", "--to", "-0.01 0 0",
                       text=square().replace("planar = true\n", "gravity = [0, 0, -9.81]\n"))
         self.assertEqual(spatial.returncode, 2)
-        self.assertIn("a plan moves the object in the plane", " ".join(spatial.stderr.split()))
+        self.assertIn("a plan moves the object in the plane", unwrapped(spatial.stderr))
         alone = run("plan", "-", "--to", "0 0.01 0", text=without(square(), "east", "south", "north"))
         self.assertEqual(alone.returncode, 2)
-        self.assertIn("add a [[pusher]]", " ".join(alone.stderr.split()))
+        self.assertIn("add a [[pusher]]", unwrapped(alone.stderr))
 
 
 main()

@@ -7,7 +7,7 @@ import unittest
 import urllib.parse
 
 import tool
-from tool import SCENES, command, main
+from tool import SCENES, command, main, unwrapped
 
 run = command("play")
 
@@ -56,7 +56,7 @@ class Play(unittest.TestCase):
         text = (SCENES / "pivot.toml").read_text(encoding="utf-8").replace("points = 2", "points = 400")
         result = run("-", text=text)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
-        self.assertIn("fewer points", " ".join(result.stderr.split()))
+        self.assertIn("fewer points", unwrapped(result.stderr))
 
     def test_the_gallery_leads_to_every_shipped_scene(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -69,14 +69,14 @@ class Play(unittest.TestCase):
                 picture = (pathlib.Path(folder) / f"{path.stem}.svg").read_text(encoding="utf-8")
                 self.assertTrue(picture.startswith("<svg"), path.stem)
             sentence = tool.run("solve", SCENES / "pivot.toml").stdout.split("\n\n")[1]
-            self.assertIn(html.escape(" ".join(sentence.split())), index)
+            self.assertIn(html.escape(unwrapped(sentence)), index)
 
     def test_a_gallery_is_a_folder_and_takes_no_scene(self):
         for words, said in ((["--gallery"], "-o DIRECTORY"),
                             (["--gallery", SCENES / "pivot.toml", "-o", "x"], "leave the scene out")):
             result = run(*words)
             self.assertEqual(result.returncode, 2)
-            self.assertIn(said, " ".join(result.stderr.split()))
+            self.assertIn(said, unwrapped(result.stderr))
 
 
 main()

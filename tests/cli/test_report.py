@@ -3,7 +3,7 @@ import math
 import re
 import xml.etree.ElementTree as ElementTree
 
-from tool import SCENES, SOURCE, ToolTest, main, run
+from tool import SCENES, SOURCE, ToolTest, main, run, unwrapped
 from tool import json_of as answer
 
 RAYS = SOURCE / "fixtures/rays"
@@ -21,7 +21,7 @@ def classed(element, kind):
 
 
 def words(element):
-    return " ".join("".join(element.itertext()).split())
+    return unwrapped("".join(element.itertext()))
 
 
 def points(polygon):
@@ -196,7 +196,7 @@ class Report(ToolTest):
         box = words(element(page, "answer"))
         self.assertIn("NOT SOLVED (ray)", box)
         for sentence in jam["words"]:
-            self.assertIn(" ".join(sentence.removeprefix("- ").split()), box)
+            self.assertIn(unwrapped(sentence.removeprefix("- ")), box)
         ray = {entry["name"]: entry["value"] for entry in answer("solve", scene)["ray"]}
         rows = element(page, "answer").find(".//tbody").findall("tr")
         self.assertEqual({words(row[0]) for row in rows}, set(ray))
@@ -290,7 +290,7 @@ class Report(ToolTest):
         words_ = ["--vary", "*.friction=0.3:0.9", "--vary", "object.mass=0.1:0.3", "--steps", 9999]
         result = run("report", SCENES / "soft_fingers.toml", *words_, "--seconds", 0.5)
         self.assertEqual(result.returncode, 1)
-        self.assertIn("stopped after 0.5 s of processor time; what there was", " ".join(result.stderr.split()))
+        self.assertIn("stopped after 0.5 s of processor time; what there was", unwrapped(result.stderr))
         page = ElementTree.fromstring(result.stdout)
         self.assertIn("Push with", words(element(page, "answer")))
         self.assertIn("It was stopped before its range was done", words(element(page, "sweeps")))

@@ -5,7 +5,7 @@ import re
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from tool import SCENES, command, main
+from tool import SCENES, command, main, unwrapped
 
 run = command("move")
 G = 9.81
@@ -79,7 +79,7 @@ class Rolling(unittest.TestCase):
         self.assertIn("sphere_radius", run("-", text=unknown).stdout)
 
     def test_words(self):
-        text = " ".join(run("-", text=ramp("cylinder", 20, 0.05, 1, 0.5)).stdout.split())
+        text = unwrapped(run("-", text=ramp("cylinder", 20, 0.05, 1, 0.5)).stdout)
         self.assertRegex(text, r"The cylinder rolls 1280 degrees clockwise about z and goes 1120 mm along \+x in 1 s")
         self.assertNotRegex(text, "pivot|grip|finger|parts from")
 

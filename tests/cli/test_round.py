@@ -8,7 +8,7 @@ import pathlib
 import tempfile
 import unittest
 
-from tool import SOURCE, json_of, main, run
+from tool import SOURCE, json_of, main, run, unwrapped
 
 FOLDER = tempfile.TemporaryDirectory()
 
@@ -70,7 +70,7 @@ class Round(unittest.TestCase):
 
     def test_what_speaks_of_pyramids_says_so(self):
         path = scene("pivot")
-        self.assertIn("pyramids of 8 facets", " ".join(run("spread", path).stdout.split()))
+        self.assertIn("pyramids of 8 facets", unwrapped(run("spread", path).stdout))
         proved = run("solve", path, "--json", "--certify", pathlib.Path(FOLDER.name) / "c.json")
         self.assertIn("Pyramids of 8 facets stand for round friction here.", proved.stderr)
         self.assertEqual(json.loads(proved.stdout)["friction"]["law"], "pyramids")
@@ -105,7 +105,7 @@ class Round(unittest.TestCase):
         done = run("solve", scene("pivot", '"rund"'))
         self.assertEqual(done.returncode, 2)
         self.assertIn('pivot.toml:1: facets must be a whole number from 4 to 256, or "round"',
-                      " ".join(done.stderr.split()))
+                      unwrapped(done.stderr))
 
 
 main()

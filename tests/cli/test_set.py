@@ -1,7 +1,7 @@
 """--set PATH=VALUE asks about the scene whose file has that value, in every command that reads one."""
 import re
 
-from tool import SCENES, SOURCE, ToolTest, json_of, main, run
+from tool import SCENES, SOURCE, ToolTest, json_of, main, run, unwrapped
 
 HELD, SLIDE = SOURCE / "docs/guide/held_block.toml", SCENES / "straight_slide.toml"
 JAWS = "[[finger]]\nname = \"left\""
@@ -70,7 +70,7 @@ class Set(ToolTest):
             with self.subTest(given):
                 answer = run("solve", HELD, "--set", given)
                 self.assertEqual((answer.returncode, answer.stdout), (2, ""))
-                self.assertIn(said, " ".join(answer.stderr.split()))
+                self.assertIn(said, unwrapped(answer.stderr))
         for words, said in [(["--certify", "p.json"], "change that instead of --set"), (["--set"], "PATH=VALUE")]:
             self.is_refused(run("solve", HELD, "--set", "object.mass=1", *words), said)
         self.is_refused(run("sweep", SLIDE, "--vary", "left.grip_force=5:9"), r'change both as "\*.grip_force"')

@@ -3,7 +3,7 @@ import math
 import subprocess
 import sys
 
-from tool import SOURCE, ToolTest, json_of, main, run
+from tool import SOURCE, ToolTest, json_of, main, run, unwrapped
 
 # (SI, the same with units); "" stands for its absence.
 UNITS = [
@@ -247,7 +247,7 @@ class Faces(SceneTest):
             with self.subTest(place):
                 result = run("matrices", "-", text=on_faces(object_, [("finger", shape, place)]))
                 self.assertEqual((result.returncode, result.stdout), (2, ""))
-                self.assertIn(said, " ".join(result.stderr.split()))
+                self.assertIn(said, unwrapped(result.stderr))
 
     def test_edges_along_faces(self):
         motion = "\nacceleration = [0.1, 0.1, 0.2]"
@@ -380,12 +380,12 @@ class Poses(SceneTest):
         for pose, said in TILT_REFUSED:
             result = run("matrices", "-", text=self.text.replace("moment = [0, 0, 0.01]", pose))
             self.assertEqual((result.returncode, result.stdout), (2, ""), pose)
-            self.assertIn(said, " ".join(result.stderr.split()))
+            self.assertIn(said, unwrapped(result.stderr))
         for old, new, said in [('normal = [0, 0, -1]\n', 'on = "+z"\nframe = "scene"\n', "on is a face of the object"),
                                ("until = 0.25", 'frame = "world"', 'frame must be "object" or "scene"')]:
             result = run("matrices", "-", text=self.text.replace("center = [0.001, 0, 0.01]\n", "").replace(old, new)
                          if "on =" in new else self.text.replace(old, new))
-            self.assertIn(said, " ".join(result.stderr.split()))
+            self.assertIn(said, unwrapped(result.stderr))
         self.assertIn("out of the x-y plane", run("matrices", "-", text=SLOPE % ("velocity = [0, 0, 1]", 1)).stderr)
 
 

@@ -4,7 +4,7 @@ import io
 import json
 import xml.etree.ElementTree as ElementTree
 
-from tool import SCENES, SOURCE, ToolTest, command, main
+from tool import SCENES, SOURCE, ToolTest, command, main, unwrapped
 
 run = command("sweep")
 # Rubber pads of default points, pushed by a table's edge.
@@ -42,7 +42,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def flat(text):
     """Without the ends of lines that wrapping has made."""
-    return " ".join(text.split())
+    return unwrapped(text)
 
 
 class Sweep(ToolTest):

@@ -7,7 +7,7 @@ import math
 import random
 import sys
 
-from tool import SCENES, SOURCE, ToolTest, json_of, main, run
+from tool import SCENES, SOURCE, ToolTest, json_of, main, run, unwrapped
 
 SQUARE, SLIDE = SOURCE / "docs/guide/square.toml", SCENES / "straight_slide.toml"
 DEEP = "--all" in sys.argv
@@ -147,7 +147,7 @@ class Tolerance(ToolTest):
         scene, middle = self.file("ranges.toml", ranges), self.file("middle.toml", SLIDE_TEXT)
         solved = run("solve", scene)
         self.assertEqual(solved.stdout, run("solve", middle).stdout)
-        self.assertIn("the middle of the ranges is taken, object mass = 0.2 (0.18 to 0.22)", " ".join(solved.stderr.split()))
+        self.assertIn("the middle of the ranges is taken, object mass = 0.2 (0.18 to 0.22)", unwrapped(solved.stderr))
         self.assertEqual(run("solve", scene, "--strict").returncode, 0)
         self.assertEqual([w["code"] for w in json_of("break", scene)["warnings"]], ["middle"])
         self.assertIn("numbers are ranges", run("solve", scene, "--certify", self.path / "c.json").stderr)
@@ -168,7 +168,7 @@ class Tolerance(ToolTest):
                 ("mass = 0.2 ", "mass = [0, 0.2] ", "mass must be > 0, got 0"),
                 ("mass = 0.2 ", 'mass = ["1 mm", "2 mm"] ', "a length"),
                 ("friction = 0.3", "friction = [0.1, 0.2, 0.3]", "friction must be a number, got a list")):
-            self.assertIn(said, " ".join(run("solve", self.file("bad.toml", SLIDE_TEXT.replace(old, new))).stderr.split()))
+            self.assertIn(said, unwrapped(run("solve", self.file("bad.toml", SLIDE_TEXT.replace(old, new))).stderr))
         scene = self.file("slide.toml", SLIDE_TEXT)
         for given, said in (("wall.fricton=10%", 'did you mean "wall.friction"'), ("wall.friction=-3%", "not negative"),
                             ("wall.friction=0.5:0.3", "backwards"), ("wall.friction=200%", "friction must be >= 0, got -0.3"),
@@ -176,7 +176,7 @@ class Tolerance(ToolTest):
                             ("wall.friction=0.3", "write PATH=10%"), ("left.grip_force=10%", "share one grip_force")):
             refused = run("cone", scene, "--tolerance", given)
             self.assertEqual(refused.returncode, 2, given)
-            self.assertIn(said, " ".join(refused.stderr.split()))
+            self.assertIn(said, unwrapped(refused.stderr))
         self.assertIn("no corner of the box", run("cone", scene, "--tolerance", "*.friction=1%", "--format", "toml").stderr)
         self.assertIn("would take it", run("solve", scene, "--tolerance", "*.friction=1%").stderr)
 
@@ -213,13 +213,13 @@ class Tolerance(ToolTest):
         spatial = SQUARE.read_text().replace("planar = true", "")
         for words in (("--tolerance", "*.friction=10%"), ("--tolerance", "gravity[2]=-500:500")):
             for name, *rest in (("cone", "--pusher", "east"), ("plan", "--to", "-0.04 0.02 0.1")):
-                said = " ".join(run(name, self.file("s.toml", spatial), *rest, *words).stderr.split())
+                said = unwrapped(run(name, self.file("s.toml", spatial), *rest, *words).stderr)
                 self.assertIn("planar = true", said)
                 self.assertNotIn("taken as", said)
         pyramids = self.file("p.toml", spatial.replace("[object]", "facets = 4\n[object]", 1))
         self.assertIn("planar = true", run("cone", pyramids, "--pusher", "east").stderr)
         left_out = run("cone", SQUARE, "--pusher", "east", "--tolerance", "south.friction=0.1:0.9")
-        self.assertIn("a pusher that is left out", " ".join(left_out.stderr.split()))
+        self.assertIn("a pusher that is left out", unwrapped(left_out.stderr))
 
     def test_hold(self):
         held = json_of("hold", SLIDE, "--tolerance", "*.friction", "--tolerance", "object.mass", "--tolerance", "*.grip_force")
@@ -259,7 +259,7 @@ class Tolerance(ToolTest):
             scene = self.file("push.toml", SQUARE.read_text())
             begin = json_of("cone", scene, "--pusher", push["pusher"], "--twist", f"{x} {y} {turn}", "--tolerance", "*.friction=10%")
             self.assertEqual(begin["verdict"], "always")
-        self.assertIn("friction, grip, mass and load alone", " ".join(run(*words, "--tolerance", "east.shift[1]=0:1e-3").stderr.split()))
+        self.assertIn("friction, grip, mass and load alone", unwrapped(run(*words, "--tolerance", "east.shift[1]=0:1e-3").stderr))
         rng = random.Random(3)
         for _ in range(200 if DEEP else 3):  # replays at values of the box end where the plan does
             text = plan["scene"].replace("friction = 0.9\n", f"friction = {rng.uniform(0.81, 0.99)}\n")

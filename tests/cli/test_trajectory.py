@@ -1,7 +1,7 @@
 """lcpush verify --trajectory: other people's motions, step by step."""
 import json
 
-from tool import SOURCE, ToolTest, main, run
+from tool import SOURCE, ToolTest, main, run, unwrapped
 
 PIVOT = SOURCE / "fixtures/scenes/pivot.toml"
 HELD = """gravity = [0, -9.81, 0]
@@ -84,7 +84,7 @@ class Trajectory(ToolTest):
                 for wrong in (2 * right, right / 2, 9.81 - 3, 1.3 * right):
                     report, text = self.fall(wrong, seconds, frames, speeds=speeds)
                     self.assertNotEqual(report["verdict"], "follows", (seconds, frames, speeds, wrong))
-        self.assertIn("its velocity changes otherwise than", " ".join(self.fall(2 * right, 0.05, 501)[1].split()))
+        self.assertIn("its velocity changes otherwise than", unwrapped(self.fall(2 * right, 0.05, 501)[1]))
 
     def test_positions_of_another_origin_are_judged_from_their_first_on(self):
         right = 9.81 - 2 * 0.3 * 2 / 0.2
@@ -172,7 +172,7 @@ center = [-0.0109, -0.0158, 0]
             result = run("verify", PIVOT, "--trajectory", self.file("m.txt", text))
             self.assertEqual((result.returncode, result.stdout), (2, ""), text)
             self.assertIn(f"m.txt:{line}: ", result.stderr)
-            self.assertIn(message, " ".join(result.stderr.split()))
+            self.assertIn(message, unwrapped(result.stderr))
         result = run("verify", PIVOT, PIVOT, "--trajectory", "m.txt")
         self.assertIn("one file beside it", result.stderr)
 

@@ -3,7 +3,7 @@ import csv
 import io
 import json
 
-from tool import SCENES, SOURCE, ToolTest, main, run
+from tool import SCENES, SOURCE, ToolTest, main, run, unwrapped
 
 PIVOT, STROKES = SCENES / "pivot.toml", SOURCE / "docs/guide/two_strokes.toml"
 EACH_STEP = ("--step", 0.005, "--frames", 201)
@@ -98,7 +98,7 @@ class Forces(ToolTest):
         self.assertEqual(*reports)
         self.assertEqual((reports[0]["forces"]["frames"], reports[0]["forces"]["balanced"]), (200, 200))
         self.assertIsNone(reports[0]["forces"]["broken"])
-        self.assertIn("every law is kept", " ".join(self.said.split()))
+        self.assertIn("every law is kept", unwrapped(self.said))
 
     def test_csv_has_what_json_has(self):
         scene = SCENES / "soft_fingers.toml"
@@ -142,7 +142,7 @@ class Forces(ToolTest):
             self.assertEqual((report["verdict"], report["forces"]["broken"]), ("wrong_forces", law), words)
             worst = self.laws(report)[law]
             self.assertEqual((worst["time"], worst["of"]), (frames[40]["time"], chosen["name"]))
-            said = " ".join(self.said.split())
+            said = unwrapped(self.said)
             self.assertIn("its forces do not: at 0.2 s", said)
             self.assertIn(words, said)
             self.assertIn(chosen["name"], said)
@@ -158,7 +158,7 @@ class Forces(ToolTest):
             report = self.verdict(STROKES, spoilt)
             self.assertEqual(report["forces"]["broken"], "gap")
             self.assertEqual(self.laws(report)["gap"]["of"], name)
-            self.assertIn(words, " ".join(self.said.split()))
+            self.assertIn(words, unwrapped(self.said))
 
     def test_a_grip_that_is_not_met_is_named(self):
         frames = self.frames(PIVOT, "--time", 0.2, *EACH_STEP[:2], "--frames", 41)
@@ -174,7 +174,7 @@ class Forces(ToolTest):
         self.assertAlmostEqual(grip["found"], 1.05 * grip["lawful"], delta=1e-6)
         self.assertEqual(grip["of"], "jaws")
         self.assertIn(f"jaws closes with {grip['found']:.3g} N instead of {grip['lawful']:.3g} N",
-                      " ".join(self.said.split()))
+                      unwrapped(self.said))
 
     def test_a_broken_balance_is_named(self):
         scene = SOURCE / "docs/guide/held_box.toml"
@@ -187,7 +187,7 @@ class Forces(ToolTest):
         report = self.verdict(scene, frames, "--tolerance", 0.005)
         self.assertEqual((report["verdict"], self.broken(report)), ("wrong_forces", ["newton"]))
         self.assertAlmostEqual(self.laws(report)["newton"]["found"], 0.045 * 9.81, delta=1e-9)
-        self.assertIn("0.441 N are missing", " ".join(self.said.split()))
+        self.assertIn("0.441 N are missing", unwrapped(self.said))
         # Of longer intervals than the step the forces between are not known.
         for frame in frames[1:]:
             frame["step"] = 0.005
@@ -206,7 +206,7 @@ class Forces(ToolTest):
             self.assertEqual((worst["of"], worst["time"], worst["unit"]), ("right", frames[20]["time"], unit))
             self.assertAlmostEqual(worst["found"], 0.7, delta=1e-9)
             self.assertIn(f"the {key} of right is not the sum of its contacts', by 0.7 {unit}",
-                          " ".join(self.said.split()))
+                          unwrapped(self.said))
 
     def test_a_moment_that_is_missing_is_named(self):
         frames = self.frames(PIVOT, "--time", 0.2, *EACH_STEP[:2], "--frames", 41)
@@ -219,7 +219,7 @@ class Forces(ToolTest):
         self.assertEqual((report["forces"]["broken"], newton["unit"], newton["time"]),
                          ("newton", "N m", frames[20]["time"]))
         self.assertAlmostEqual(newton["found"], 0.1, delta=1e-6)
-        self.assertIn("make the change of spin", " ".join(self.said.split()))
+        self.assertIn("make the change of spin", unwrapped(self.said))
 
     def test_an_exact_fall_against_friction(self):
         for speeds in (True, False):
@@ -297,7 +297,7 @@ class Forces(ToolTest):
             result = run("verify", FALLING, "--trajectory", self.file("m.txt", text))
             self.assertEqual((result.returncode, result.stdout), (2, ""), text)
             self.assertIn(f"m.txt:{line}: ", result.stderr)
-            self.assertIn(message, " ".join(result.stderr.split()))
+            self.assertIn(message, unwrapped(result.stderr))
 
 
 main()

@@ -17,6 +17,11 @@ def run(*words, text=None, **more):
                           timeout=120, **more)
 
 
+def unwrapped(text):
+    """Prose on one line: where it is wrapped depends on the length of the paths that it names."""
+    return " ".join(text.split())
+
+
 def command(name):
     """run() of one command."""
     return functools.partial(run, name)
