@@ -45,13 +45,15 @@ bool is_over_its_face(const StepContact<double>& contact) {
 
 } // namespace
 
-MotionRun::MotionRun(const SceneFile& file)
-    : file_(file), faces_(file), cones_(file.is_round ? file.points.size() : 0),
+MotionRun::MotionRun(const SceneFile& file, Order order)
+    : file_(file), order_(order), faces_(file), cones_(file.is_round ? file.points.size() : 0),
       scene_(scene_of(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
       memory_(make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
                                                     shared_of(file))),
-      stepper_(scene_, around_, memory_) {}
+      stepper_(scene_, around_, memory_) {
+  if (order == Order::second) stepper_.end_on_faces();
+}
 
 Scene<double> MotionRun::scene_of(const SceneFile& file) const {
   Scene<double> scene = file.view();
@@ -68,9 +70,9 @@ Status MotionRun::advance(double h) {
     // Without inertia, what a step takes is the velocity at its end; over it, the way that an
     // acceleration makes is that of its mean.
     const Vector6<double> end = prescribed(b, now + h), begin = prescribed(b, now);
-    const bool speeds_up = !file_.strokes[static_cast<std::size_t>(b)].is_velocity;
+    const bool is_mean = order_ == Order::first && speeds_up(b);
     stepper_.prescribed(b) = is_absent(b) ? Vector6<double>(Vector6<double>::Zero())
-                             : speeds_up  ? Vector6<double>((begin + end) / 2)
+                             : is_mean    ? Vector6<double>((begin + end) / 2)
                                           : end;
   }
   if (!has_round_friction(scene_)) return stepper_.advance(h);
@@ -91,30 +93,51 @@ Status MotionRun::advance_by_pyramids(double h, const Saved& before) {
   return status;
 }
 
-bool MotionRun::extrapolate(const Stepper::Moment& whole, const std::vector<Pose<double>>& bodies,
-                            double slack) {
-  const Stepper::Moment halves = stepper_.moment();
-  Stepper::Moment end = halves;
-  end.pose.position += halves.pose.position - whole.pose.position;
-  end.pose.rotation = halves.pose.rotation * whole.pose.rotation.transpose() * halves.pose.rotation;
-  end.velocity += halves.velocity - whole.velocity;
-  stepper_.return_to(end);
-  for (Index b = 0; b < scene_.bodies.size; ++b) {
-    const Pose<double>& other = bodies[static_cast<std::size_t>(b)];
-    const Pose<double>& pose = stepper_.pose_of(b);
-    bool fits = (pose.position - other.position).norm() <= slack &&
-                pose.rotation.isApprox(other.rotation, MoveSettings::same_time);
+MotionRun::State MotionRun::state() const {
+  return {stepper_.moment(),
+          {memory_.poses.begin(), memory_.poses.end()},
+          {memory_.closings.begin(), memory_.closings.end()},
+          {memory_.speeds.begin(), memory_.speeds.end()}};
+}
+
+void MotionRun::return_to(const State& state) {
+  stepper_.return_to(state.moment);
+  std::copy(state.bodies.begin(), state.bodies.end(), memory_.poses.begin());
+  std::copy(state.closings.begin(), state.closings.end(), memory_.closings.begin());
+  std::copy(state.speeds.begin(), state.speeds.end(), memory_.speeds.begin());
+}
+
+bool MotionRun::extrapolate(const State& whole, double slack) {
+  const auto beyond = [](const Pose<double>& half, const Pose<double>& full) {
+    return Pose<double>{2 * half.position - full.position,
+                        half.rotation * full.rotation.transpose() * half.rotation};
+  };
+  const State halves = state();
+  State end = halves;
+  end.moment.pose = beyond(halves.moment.pose, whole.moment.pose);
+  end.moment.velocity += halves.moment.velocity - whole.moment.velocity;
+  for (std::size_t b = 0; b < end.bodies.size(); ++b)
+    end.bodies[b] = beyond(halves.bodies[b], whole.bodies[b]);
+  for (std::size_t a = 0; a < end.speeds.size(); ++a) {
+    end.closings[a] += halves.closings[a] - whole.closings[a];
+    end.speeds[a] += halves.speeds[a] - whole.speeds[a];
+  }
+  return_to(end);
+  for (Index b = 0; b < scene_.bodies.size; ++b)
     for (const Index i : points_of(scene_.bodies[b]))
       if (is_touching(touch_of(stepper_.contact(i)))) {
         const PlacedPoint<double> then = placed(b, i, slack);
-        fits = fits && then.absence == Absence::none && std::abs(then.gap) <= slack;
+        if (then.absence == Absence::none && std::abs(then.gap) <= slack) continue;
+        return_to(halves);
+        return false;
       }
-    if (!fits) {
-      stepper_.return_to(halves);
-      return false;
-    }
-  }
   return true;
+}
+
+void MotionRun::keep_to_strokes() {
+  for (Index b = 0; b < scene_.bodies.size; ++b)
+    if (speeds_up(b) && !is_driven(scene_, b))
+      put(b, moved_about_origin(Pose<double>(), faces_.path(b, stepper_.time()), 1.0));
 }
 
 MotionRun::Saved MotionRun::save() const {

@@ -13,8 +13,13 @@ class MotionRun {
 public:
   using Stepper = TimeStepper<double, StructuredLemke<double>>;
 
+  /// Of the error of its steps in their length. First: a body that speeds up goes its whole way in
+  /// a step at its mean velocity. Second, for extrapolate(): bodies have the velocities of the
+  /// step's end there, and what presses touches.
+  enum class Order { first, second };
+
   /// `file` must outlive it.
-  explicit MotionRun(const SceneFile& file);
+  explicit MotionRun(const SceneFile& file, Order order = Order::first);
   MotionRun(const MotionRun&) = delete; // the views inside would point into the other one
   MotionRun& operator=(const MotionRun&) = delete;
 
@@ -36,14 +41,21 @@ public:
   Saved save() const;
   void restore(const Saved& saved);
 
-  /// The two steps just made are halves of one that ended at `whole`, with this twist: ends where
-  /// they lead without their error of first order. False, and all stays as it is: bodies went
-  /// elsewhere, or a point that touches would be off its face by more than `slack`.
-  bool extrapolate(const Stepper::Moment& whole, const std::vector<Pose<double>>& bodies,
-                   double slack);
-  std::vector<Pose<double>> body_poses() const {
-    return {memory_.poses.begin(), memory_.poses.end()};
-  }
+  /// Where all is at the end of a step, and how fast.
+  struct State {
+    Stepper::Moment moment;
+    std::vector<Pose<double>> bodies;
+    std::vector<double> closings, speeds; ///< of the actuators
+  };
+  State state() const;
+  /// The two steps just made are halves of one that ended in `whole`: goes where they lead without
+  /// their error of first order. False, and all stays as it is: a point that touches would be off
+  /// its face by more than `slack`.
+  [[nodiscard]] bool extrapolate(const State& whole, double slack);
+  void return_to(const State& state);
+  /// Bodies that speed up are put where their strokes lead: at the speed of a step's end, which is
+  /// not extrapolated, they have gone too far.
+  void keep_to_strokes();
 
   /// The object is there, then, at this speed; the bodies stay where they are.
   void begin_at(double time, const Pose<double>& pose, const Vector6<double>& twist) {
@@ -81,12 +93,17 @@ private:
   [[nodiscard]] Status advance_by_pyramids(double h, const Saved& before);
   Scene<double> scene_of(const SceneFile& file) const;
   bool rolls() const;
+  bool speeds_up(Index body) const {
+    return !file_.strokes[static_cast<std::size_t>(body)].is_velocity &&
+           !scene_.bodies[body].acceleration.isZero(0);
+  }
   PlacedPoint<double> placed(Index body, Index point, double slack) const {
     return place(around_, faces_.touching(body), scene_.bodies[body], scene_.points[point],
                  stepper_.pose(), stepper_.pose_of(body), slack);
   }
 
   const SceneFile& file_;
+  Order order_;
   StrokeFaces faces_;
   std::vector<LinearizedCone<double>> cones_; ///< of round friction
   Scene<double> scene_;

@@ -15,16 +15,6 @@ namespace {
 
 using Settings = MoveSettings;
 
-/// Does no body speed up or turn?
-bool moves_steadily(const SceneFile& file) {
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-    const Vector6<double>& motion = file.bodies[b].acceleration;
-    const bool speeds_up = !file.strokes[b].is_velocity && !motion.isZero(0);
-    if (speeds_up || !motion.tail<3>().isZero(0)) return false;
-  }
-  return true;
-}
-
 /// Without what is undone after two steps at most: each try of a step has two, and a gap of
 /// rounding opens and closes within them.
 std::vector<MotionEvent> lasting(const std::vector<MotionEvent>& events) {
@@ -45,9 +35,8 @@ std::vector<MotionEvent> lasting(const std::vector<MotionEvent>& events) {
 class Mover {
 public:
   Mover(const SceneFile& file, const MoveOptions& options)
-      : file_(file), options_(options), run_(file), size_(object_size(file)),
-        time_(options.time.value_or(motion_time(file))),
-        is_steady_(moves_steadily(file) && file.start.isZero(0)) {
+      : file_(file), options_(options), run_(file, MotionRun::Order::second),
+        size_(object_size(file)), time_(options.time.value_or(motion_time(file))) {
     report_.tolerance = options.tolerance.value_or(Settings::tolerance * size_);
     if (!options.step) report_.error = 0;
   }
@@ -66,7 +55,8 @@ public:
     bool goes_on = true;
     for (Index k = 1; goes_on && k < options_.frames; ++k) {
       goes_on = go_to(time_ * static_cast<double>(k) / static_cast<double>(options_.frames - 1));
-      if (last_.time > report_.frames.back().time) report_.frames.push_back(last_);
+      const MotionFrame& frame = middle_ ? *middle_ : last_;
+      if (frame.time > report_.frames.back().time) report_.frames.push_back(frame);
     }
     if (goes_on) report_.end = MoveEnd::time;
     report_.events = lasting(report_.events);
@@ -80,6 +70,7 @@ private:
   /// False: the motion has ended before.
   bool go_to(double target) {
     const double rounding = Settings::same_time * time_;
+    middle_.reset();
     while (now() < target - rounding) {
       if (options_.progress) options_.progress(now() / time_, now());
       if (!begin_strokes()) return false;
@@ -94,7 +85,10 @@ private:
       // Equal steps up to there: a sliver that is left over would be an instant of its own, in
       // which gaps of second order have no time to close.
       const double h = room / std::max(1.0, std::ceil(room / next_ - Settings::whole_steps));
-      const bool went = options_.step ? fixed_step(h) : controlled_step(h);
+      const bool is_last = h > room / 2;
+      const bool went = !options_.step ? controlled_step(h)
+                        : is_last      ? fixed_step(h)
+                                       : fixed_pair(h, target - rounding);
       if (!went) return false;
       if (is_free()) {
         report_.end = MoveEnd::free;
@@ -151,24 +145,85 @@ private:
     }
     if (passes_distance()) return go_last(before, h);
     keep(taken(h));
+    run_.keep_to_strokes();
     return true;
   }
 
-  /// One step of h against two of h / 2. These are kept if they agree, or what the three lead to
-  /// without their error of first order if that agrees better with the mean of its velocities.
+  /// A step that is solved, and may be undone.
+  struct Taken {
+    MotionFrame frame;
+    MotionPhase phase;
+    double penetration = 0, residual = 0;
+  };
+  Taken taken(double h) const {
+    const StepRun<double>& step = run_.stepper().run();
+    const MotionFrame frame = run_.frame(h);
+    return {frame, phase_of(run_.describe(size_).kind, frame), step.penetration, step.residual};
+  }
+
+  /// What two steps of h / 2 lead to, told from one of h: without its error of first order where
+  /// nothing happens meanwhile and what they lead to agrees better with the mean velocity.
+  struct Pair {
+    Taken half, end;
+    double error = 0; ///< m
+    bool has_event = false;
+  };
+  /// Where it is not solved, the pair is none.
+  Status solve_pair(double h, const MotionRun::Saved& before, Pair& pair) {
+    Status status = solve(h);
+    const MotionRun::State whole = run_.state();
+    run_.restore(before);
+    if (status == Status::solved) status = solve(h / 2);
+    if (status == Status::solved) {
+      pair.half = taken(h / 2);
+      status = solve(h / 2);
+    }
+    if (status != Status::solved) return status;
+    pair.end = taken(h / 2);
+    // What leaves its face at the end of a step is seen there, before the next one begins.
+    pair.has_event = changes(last_, pair.half.frame) || changes(pair.half.frame, pair.end.frame) ||
+                     run_.leaves();
+    pair.error = distance(whole.moment.pose, run_.stepper().pose());
+    if (pair.has_event || !extrapolates(h, before.moment, whole, pair)) run_.keep_to_strokes();
+    return status;
+  }
+
+  bool extrapolates(double h, const MotionRun::Stepper::Moment& before,
+                    const MotionRun::State& whole, Pair& pair) {
+    const MotionRun::State halves = run_.state();
+    if (!run_.extrapolate(whole, Settings::extrapolated_gap * size_)) return false;
+    const Vector6<double> mean = (before.velocity + run_.stepper().velocity()) / 2;
+    const double other = distance(moved(before.pose, mean, h), run_.stepper().pose());
+    if (!(other < pair.error)) {
+      run_.return_to(halves);
+      return false;
+    }
+    pair.error = other;
+    pair.end = taken(h / 2);
+    pair.end.phase = phase_of(pair.end.phase.kind, pair.half.frame, pair.end.frame);
+    return true;
+  }
+
+  /// Two steps as long as was asked; each for itself where they cannot be told from one.
+  bool fixed_pair(double h, double target) {
+    const MotionRun::Saved before = run_.save();
+    Pair pair;
+    if (solve_pair(2 * h, before, pair) != Status::solved || passes_distance()) {
+      run_.restore(before);
+      return fixed_step(h) && fixed_step(h);
+    }
+    keep(pair.half);
+    if (now() - h >= target) middle_ = pair.half.frame;
+    keep(pair.end);
+    return true;
+  }
+
+  /// A pair that is kept if its error allows it.
   bool controlled_step(double h) {
     const MotionRun::Saved before = run_.save();
     const bool starts = something_starts();
-    Status status = solve(h);
-    const MotionRun::Stepper::Moment whole = run_.stepper().moment();
-    const std::vector<Pose<double>> bodies = run_.body_poses();
-    run_.restore(before);
-    if (status == Status::solved) status = solve(h / 2);
-    Taken half;
-    if (status == Status::solved) {
-      half = taken(h / 2);
-      status = solve(h / 2);
-    }
+    Pair pair;
+    const Status status = solve_pair(h, before, pair);
     if (status != Status::solved) {
       const bool is_lost = run_.stepper().run().lost;
       run_.restore(before);
@@ -177,37 +232,21 @@ private:
       const double least = leaps ? Settings::shortest_step : Settings::event_step / 4;
       return h > least * time_ || fail(status, is_lost);
     }
-    double error = distance(whole.pose, run_.stepper().pose());
     const double share = std::max(h / time_, starts ? Settings::share_of_start : 0);
     const double allowed = report_.tolerance * share;
-    Taken end = taken(h / 2);
-    // What leaves its face at the end of a step is seen there, before the next one begins.
-    const bool has_event =
-        changes(last_, half.frame) || changes(half.frame, end.frame) || run_.leaves();
     const bool locates =
-        has_event && located_ < Settings::most_located && h > Settings::event_step * time_;
-    if (is_steady_ && !has_event && run_.extrapolate(whole, bodies, Settings::exact * size_)) {
-      const Vector6<double> mean = (before.moment.velocity + run_.stepper().velocity()) / 2;
-      const double other = distance(moved(before.moment.pose, mean, h), run_.stepper().pose());
-      if (other < error) {
-        error = other;
-        end = taken(h / 2);
-        end.phase = phase_of(end.phase.kind, half.frame, end.frame);
-      } else {
-        run_.begin_at(now(), end.frame.pose, end.frame.twist);
-      }
-    }
-    if ((error > allowed && h > Settings::shortest_step * time_) || locates) {
+        pair.has_event && located_ < Settings::most_located && h > Settings::event_step * time_;
+    if ((pair.error > allowed && h > Settings::shortest_step * time_) || locates) {
       run_.restore(before);
       next_ = h / 2;
       return true;
     }
-    if (has_event) ++located_;
-    *report_.error += error;
+    if (pair.has_event) ++located_;
+    *report_.error += pair.error;
     if (passes_distance()) return go_last(before, h);
-    keep(half);
-    keep(end);
-    if (error < allowed / 4)
+    keep(pair.half);
+    keep(pair.end);
+    if (pair.error < allowed / 4)
       next_ = std::min(std::max(next_, 2 * h), Settings::longest_step * time_);
     return true;
   }
@@ -272,18 +311,6 @@ private:
     return false;
   }
 
-  /// A step that is solved, and may be undone.
-  struct Taken {
-    MotionFrame frame;
-    MotionPhase phase;
-    double penetration = 0, residual = 0;
-  };
-  Taken taken(double h) const {
-    const StepRun<double>& step = run_.stepper().run();
-    const MotionFrame frame = run_.frame(h);
-    return {frame, phase_of(run_.describe(size_).kind, frame), step.penetration, step.residual};
-  }
-
   void keep(const Taken& step) {
     const MotionFrame& frame = step.frame;
     const double h = frame.step;
@@ -321,9 +348,9 @@ private:
   const MoveOptions& options_;
   MotionRun run_;
   const double size_, time_;
-  const bool is_steady_;
   MotionReport report_;
   MotionFrame last_;
+  std::optional<MotionFrame> middle_; ///< of a fixed pair, where a frame is due
   Phases phases_{size_};
   ForceJumps jumps_;
   double next_ = 0;

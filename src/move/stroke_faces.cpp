@@ -299,4 +299,10 @@ Vector6<double> StrokeFaces::prescribed(Index body, double time) const {
   return (is_over ? 0.0 : stroke.is_velocity ? 1.0 : since) * file_.body(body).acceleration;
 }
 
+Vector6<double> StrokeFaces::path(Index body, double time) const {
+  const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
+  const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
+  return (stroke.is_velocity ? since : since * since / 2) * file_.body(body).acceleration;
+}
+
 } // namespace lcpush::desktop

@@ -44,6 +44,8 @@ public:
 
   /// What prescribes a body's motion at `time`, a twist at the object's first centre of mass.
   Vector6<double> prescribed(Index body, double time) const;
+  /// Where that has led by `time`: the body has moved by this twist.
+  Vector6<double> path(Index body, double time) const;
 
 private:
   void face_object(std::size_t b, const Matrix3<double>& turned);

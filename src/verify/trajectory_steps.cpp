@@ -13,12 +13,6 @@ namespace {
 
 using Settings = VerifySettings;
 
-/// m/s times s, or m/s^2 times s^2: how far a stroke has gone.
-double stroke_at(const Stroke& stroke, double time) {
-  const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
-  return stroke.is_velocity ? since : since * since / 2;
-}
-
 } // namespace
 
 Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h) {
@@ -101,8 +95,7 @@ bool SeenMotion::is_found(Index body, const Closings& closings) const {
 }
 
 Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closings) const {
-  Vector6<double> path = stroke_at(file_.strokes[static_cast<std::size_t>(body)], time) *
-                         file_.body(body).acceleration;
+  Vector6<double> path = faces_.path(body, time);
   for (const Drive<double>& drive : file_.drives)
     if (drive.body == body)
       path += closings[static_cast<std::size_t>(drive.actuator)].value_or(0) * drive.twist;
@@ -126,9 +119,8 @@ PlacedPoint<double> SeenMotion::placed(Index body, Index point, const Pose<doubl
 /// At the hand's origin; none: what closes it is not known, and does not close along the normal.
 std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenContact& contact,
                                                       const SeenStep& step) const {
-  const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
-  const double gone = stroke_at(stroke, step.time) - stroke_at(stroke, step.time - step.h);
-  Vector6<double> twist = gone / step.h * file_.body(body).acceleration;
+  Vector6<double> twist =
+      (faces_.path(body, step.time) - faces_.path(body, step.time - step.h)) / step.h;
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
     const std::optional<double>& speed = step.speeds[static_cast<std::size_t>(drive.actuator)];

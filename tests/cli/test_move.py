@@ -177,7 +177,7 @@ class Move(unittest.TestCase):
             self.assertEqual(result.stdout, "")
         result = run(SCENES / "coin.toml")
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stderr, r"coin.toml:\d+: finger \"table\": ")
+        self.assertRegex(unwrapped(result.stderr), r"coin.toml:\d+: finger \"table\": ")
 
     def test_strokes_of_one_file(self):
         text = SLIDE.read_text().replace("acceleration = [0.1, 0, 0]",

@@ -48,6 +48,11 @@ public:
   /// before each step.
   Vector6<S>& prescribed(Index body) { return m_.velocities[body]; }
 
+  /// From now on, what presses at a step's end touches there, too: along a turning face a straight
+  /// step leaves a gap of second order, which else the next one closes. Ends without it depend
+  /// smoothly on h: their error of first order can be extrapolated away. Cost: a warm solve or two.
+  void end_on_faces() { ends_on_faces_ = true; }
+
   /// One step of h seconds. Post: solved; or why not, and nothing has moved: does_not_hold with
   /// run().lost, ray (a jam), bad_input (h is not > 0), numerical_breakdown with Reason::leap
   /// (shorter steps may do), or a solver's failure. Cost: a warm solve,
@@ -96,13 +101,15 @@ private:
   Vector6<S> velocity_ = Vector6<S>::Zero();
   Scene<S> present_{}, push_{}, solved_{};
   StepRun<S> run_{};
-  bool knows_last_ = false;
+  bool knows_last_ = false, ends_on_faces_ = false;
   S time_{0}, length_{0};
   // The end that the last solve leads to.
   Vector6<S> next_velocity_ = Vector6<S>::Zero();
   S depth_{0}; // m, of the deepest point at the step's begin
 
   static constexpr Index most_corrections = 12;
+  /// Of a gap of second order the first leaves one of third, and so on.
+  static constexpr Index most_closings = 3;
 
   /// What thousands of steps may leave of a length, as a part of it, or of a direction.
   static S rounding() {
@@ -154,6 +161,7 @@ private:
   bool is_at_rest(const S& h) const;
   Vector6<S> end_twist(Index body) const;
   S deepest(const S& h, bool& missed) const;
+  S loosest(const S& h) const;
   void straight_gaps();
   void bend_gaps(const S& h, Index times);
   bool leaps(const S& h) const;
@@ -266,13 +274,16 @@ Status TimeStepper<S, Pivots>::solve_rounds(int attempt, bool finely) {
   return Status::solved;
 }
 
-/// Solves again with the gaps of the step's end while a point ends in its face. An answer without
-/// that stays where there is none with it: the gaps >= 0 that it has always have one.
+/// Solves again with the gaps of the step's end while a point ends in its face, or off it though it
+/// presses, where steps end on faces. An answer without that stays where there is none with it: the
+/// gaps >= 0 that it has always have one.
 template <class S, class Pivots> Status TimeStepper<S, Pivots>::correct(const S& h) {
   bool missed = false;
   for (Index k = 0; k < most_corrections; ++k) {
     const S depth = deepest(h, missed);
-    if (missed || !(depth > penetration_tolerance())) return Status::solved;
+    const bool is_loose =
+        ends_on_faces_ && k < most_closings && loosest(h) > penetration_tolerance();
+    if (missed || !(depth > penetration_tolerance() || is_loose)) return Status::solved;
     bend_gaps(h, k);
     ++run_.corrections;
     if (solve_push(h) == Status::solved) continue;

@@ -240,6 +240,20 @@ template <class S, class Pivots> S TimeStepper<S, Pivots>::deepest(const S& h, b
   return depth;
 }
 
+/// The widest gap, m, at the step's end under a point that presses; 0 if there is none.
+template <class S, class Pivots> S TimeStepper<S, Pivots>::loosest(const S& h) const {
+  const Pose<S> object = moved(pose_, next_velocity_, h);
+  S gap(0);
+  for (Index k = 0; k < present_.points.size; ++k) {
+    if (!(m_.work.answer.contacts[k].normal_force > S(0))) continue;
+    const Index b = m_.body_of[body_at(k)];
+    const Pose<S> hand = moved_about_origin(m_.poses[b], end_twist(b), h);
+    const PlacedPoint<S> then = placed(b, m_.from[k], object, hand);
+    if (then.absence == Absence::none) gap = Eigen::numext::maxi(gap, S(then.gap));
+  }
+  return gap;
+}
+
 /// What point i did; `present`: its place in the push, < 0 if it has none.
 template <class S, class Pivots>
 void TimeStepper<S, Pivots>::read_contact(Index i, Index present, const PlacedPoint<S>& then,
