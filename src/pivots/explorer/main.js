@@ -128,9 +128,12 @@
       }
     }
 
-    read_address() {
-      const step = /[#&]step=(\d+)/.exec(location.hash);
-      if (!step || location.hash === this.address) return false;
+    read_address() { return location.hash !== this.address && this.open_at(location.hash); }
+
+    /// As an address says; false if it says nothing.
+    open_at(address) {
+      const step = /[#&]step=(\d+)/.exec(address);
+      if (!step) return false;
       this.path = this.recorded;
       this.controls.stop();
       this.go(Number(step[1]));
