@@ -17,7 +17,9 @@ import urllib.parse
 
 TEACH = pathlib.Path(__file__).resolve().parent
 ROOT = TEACH.parents[1]
-PAGES = {"lemke_by_hand": "index", "exercises": "exercises", "galleries": "galleries"}
+PAGES = {"lemke_by_hand": "index", "exercises": "exercises", "galleries": "galleries",
+         "lecture_plan": "lecture_plan"}
+ON_THE_HANDOUT = 1, 2, 3, 5, 7, 10  # exercises
 
 
 # Live: the page of a command's problem.
@@ -97,7 +99,17 @@ def inline(text):
         parts[k] = part
     text = "".join(parts)
     text = re.sub(r"!\[(.*?)\]\(([^)\s]+)\)", image, text)
-    return re.sub(r"\[(.*?)\]\(([^)\s]+)\)", link, text)
+    text = re.sub(r"\[(.*?)\]\(([^)\s]+)\)", link, text)
+    return "".join(part if part[:1] == "<" else as_mathematics(part)
+                   for part in re.split(r"(<code>.*?</code>|<[^>]+>)", text))
+
+
+def as_mathematics(text):
+    """z0 and 2^n with their numbers below and above the line."""
+    text = text.replace("&gt;=", "\u2265").replace("&lt;=", "\u2264")
+    text = re.sub(r"\b([wzv])(\d+)\b", r"<i>\1</i><sub>\2</sub>", text)
+    text = re.sub(r"\b([wza])_([ixy])\b", r"<i>\1</i><sub>\2</sub>", text)
+    return re.sub(r"(?<=\w)\^(\w+)", r"<sup>\1</sup>", text)
 
 
 def anchor_of(title):
@@ -163,6 +175,7 @@ body { margin: 0 auto; padding: 12px 20px 60px; max-width: 900px; background: va
   font: 17px/1.55 system-ui, -apple-system, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif; }
 h1 { line-height: 1.2; } h2 { margin-top: 1.8em; }
 a { color: var(--link); } a.live { font-weight: 600; }
+sub, sup { line-height: 0; font-size: 0.72em; }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; font-size: 14px; }
 pre { background: var(--wash); border: 1px solid var(--line); padding: 10px 12px; overflow-x: auto; line-height: 1.4; }
 img { display: block; max-width: 100%; width: 520px; margin: 10px 0; background: #fff; }
@@ -173,7 +186,7 @@ details { border: 1px solid var(--line); padding: 4px 14px; margin: 12px 0; } su
   line-height: 34px; }
 :focus-visible { outline: 3px solid var(--link); outline-offset: 2px; }
 nav a { margin-right: 16px; }
-@media print { nav { display: none; } a { color: inherit; text-decoration: none; } body { max-width: none; } }
+@media print { :root { --paper: #fff; } nav { display: none; } a { color: inherit; text-decoration: none; } body { max-width: none; } }
 """
 
 
@@ -190,6 +203,133 @@ NAV = ('<nav aria-label="Pages"><a href="index.html">Lecture</a><a href="exercis
        '<a href="lcp.html">Your own M and q</a></nav>\n')
 
 
+# Slides: the plan's boards, and a slide for every pivot of the commands on them.
+
+DECK_STYLE = """
+body { margin: 0; padding: 0; max-width: none; overflow: hidden; }
+.slide { width: 1280px; height: 720px; padding: 40px 72px; font-size: 34px; line-height: 1.4; overflow: hidden;
+  position: absolute; transform-origin: 0 0; }
+.slide:focus { outline: none; } .slide h2 { font-size: 42px; line-height: 1.15; margin: 0 0 20px; } .slide p { margin: 0 0 16px; }
+.slide pre { font-size: 31px; line-height: 1.32; border: 0; margin: 0 0 16px; padding: 8px 14px; overflow: hidden; }
+.slide li { margin-bottom: 10px; } .slide table { font-size: 30px; }
+.slide img { width: auto; height: 540px; margin: 0 auto; }
+.number { position: absolute; right: 24px; bottom: 12px; font-size: 20px; color: var(--soft); }
+@page { size: 1280px 720px; margin: 0; }
+@media print { body { overflow: visible; } .slide { position: relative; inset: auto !important; transform: none !important;
+  break-after: page; }
+  .slide:last-of-type { break-after: auto; } .slide[hidden] { display: block !important; } .slide.ask { display: none !important; } }
+"""
+DECK_SCRIPT = """
+const slides = [...document.querySelectorAll('.slide')];
+let at = 0;
+function show(k) {
+  at = Math.max(0, Math.min(slides.length - 1, k));
+  slides.forEach((slide, i) => { slide.hidden = i !== at; });
+  slides[at].focus();
+  try { history.replaceState(null, '', `#${at + 1}`); } catch { /* a page in a sandbox */ }
+}
+function fit() {
+  const scale = Math.min(innerWidth / 1280, innerHeight / 720);
+  for (const { style } of slides) {
+    style.transform = `scale(${scale})`;
+    style.left = `${(innerWidth - 1280 * scale) / 2}px`;
+    style.top = `${(innerHeight - 720 * scale) / 2}px`;
+  }
+}
+const keys = { ArrowRight: () => show(at + 1), ' ': () => show(at + 1), PageDown: () => show(at + 1),
+  ArrowLeft: () => show(at - 1), PageUp: () => show(at - 1), Home: () => show(0), End: () => show(slides.length - 1),
+  f: () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen()) };
+addEventListener('keydown', (event) => {
+  if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
+  keys[event.key]();
+});
+addEventListener('click', (event) => {
+  if (!event.target.closest('a')) show(at + (event.clientX < innerWidth / 3 ? -1 : 1));
+});
+addEventListener('hashchange', () => show(Number(location.hash.slice(1)) - 1));
+addEventListener('resize', fit);
+fit();
+show((Number(location.hash.slice(1)) || 1) - 1);
+"""
+
+
+def boards():
+    text = (TEACH / "lecture_plan.md").read_text()
+    return re.findall(r"^### Board: (.*?)\n(.*?)(?=^##|\Z)", text, flags=re.S | re.M)
+
+
+def asked(tableau):
+    """A tableau without what says which row leaves: its brackets and its last column, the ratios."""
+    lines = re.sub(r"\[(\S+)\]", r"  \1", tableau).split("\n")
+    end = len(lines[0].removesuffix("ratio").rstrip())
+    return "\n".join(line[:end] for line in lines)
+
+
+def pivot_slides(tool, words):
+    """(title, HTML, whether it only asks): for each pivot first the tableau, then what happens."""
+    printed = subprocess.run([tool, "pivots", *words], cwd=ROOT, capture_output=True, text=True).stdout
+    for part in re.split(r"\n\n(?=Pivot |Solved|Not solved)", printed)[1:]:
+        title, _, rest = part.partition("\n")
+        found = re.search(r"^ {4,}value.*", rest, flags=re.S | re.M)
+        said, tableau = (rest[:found.start()], found[0].rstrip()) if found else (rest, "")
+        if title.startswith("Pivot"):
+            entering = title.split(" enters")[0]
+            yield f"{entering} enters. Which row leaves?", f"<pre>{html.escape(asked(tableau))}</pre>\n", True
+            words_said = "".join(f"<p>{inline(' '.join(words.split()))}</p>\n"
+                                 for words in re.match(r"(  tied: [^\n]*\n)?(.*)", said, flags=re.S).groups() if words)
+            yield title.split(";")[0], f"<pre>{html.escape(tableau)}</pre>\n{words_said}", False
+        else:
+            yield title, f"<pre>{html.escape(said.rstrip())}\n\n{html.escape(tableau)}</pre>\n", False
+
+
+def write_slides(tool, folder):
+    slides = [("Lemke\u2019s method by hand", "<p>Arrow keys; F for the full screen.</p>\n", False)]
+    for title, text in boards():
+        runs = list(commands(text))
+        if runs:
+            slides += pivot_slides(tool, runs[0][0])
+        else:
+            slides.append((title, to_html(text), False))
+    body = "".join(f'<section class="slide{" ask" if asks else ""}" tabindex="-1" '
+                   f'aria-label="Slide {k} of {len(slides)}">'
+                   f"<h2>{inline(title)}</h2>\n{content}<p class=\"number\">{k}</p></section>\n"
+                   for k, (title, content, asks) in enumerate(slides, 1))
+    (folder / "slides.html").write_text(page("Lemke\u2019s method by hand: slides", body, DECK_STYLE, DECK_SCRIPT))
+
+
+def write_beamer(tool, folder):
+    """A frame for every pivot of the commands on the boards, and for how each ends."""
+    frames = []
+    for title, text in boards():
+        for words, _ in commands(text):
+            printed = subprocess.run([tool, "pivots", *words, "--format", "latex"], cwd=ROOT, capture_output=True,
+                                     text=True).stdout
+            frames += [f"\\begin{{frame}}{{{title}}}\n\\small\n\\noindent {part.strip()}\n\\end{{frame}}\n"
+                       for part in printed.split("\\noindent ")[1:]]
+    head = ("\\documentclass{beamer}\n\\usepackage{amsmath}\n\\setbeamertemplate{navigation symbols}{}\n"
+            "\\title{Lemke's method by hand}\n\\date{}\n\\begin{document}\n\\frame{\\titlepage}\n\n")
+    (folder / "beamer.tex").write_text(head + "\n".join(frames) + "\\end{document}\n")
+
+
+HANDOUT_STYLE = """
+.sheet h2 { margin-top: 0.6em; } .sheet h3 { margin-bottom: 0; } .sheet img { width: 330px; }
+@page { size: A4; margin: 15mm 17mm; }
+@media print { body { padding: 0; font-size: 10.5pt; line-height: 1.38; } .sheet + .sheet { break-before: page; }
+  p, ul, ol, pre { margin: 0 0 7px; } pre, code { font-size: 9pt; } .sheet img { width: 62mm; margin: 4px auto; } }
+"""
+
+
+def write_handout(folder):
+    method = (TEACH / "lecture_plan.md").read_text().split("\n## The method on one page\n")[1]
+    exercises = re.split(r"^## (?=Exercise \d+: )", (TEACH / "exercises.md").read_text(), flags=re.M)[1:]
+    chosen = [re.sub(r"^Live: .*\n", "", text.split("<details>")[0], flags=re.M) for text in exercises
+              if int(text.split(":")[0].split(" ")[1]) in ON_THE_HANDOUT]
+    sheets = "## Lemke's method on one page\n" + method, "## Exercises\n\n" + "".join("### " + text for text in chosen)
+    body = "".join(f'<section class="sheet">{to_html(sheet)}</section>\n' for sheet in sheets)
+    (folder / "handout.html").write_text(page("Lemke\u2019s method by hand: handout", NAV + body, HANDOUT_STYLE))
+
+
 def write_text(folder):
     for source, name in PAGES.items():
         text = (TEACH / f"{source}.md").read_text()
@@ -202,6 +342,10 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     target = pathlib.Path(sys.argv[2])
     target.mkdir(parents=True, exist_ok=True)
-    write_live(pathlib.Path(sys.argv[1]).resolve(), target.resolve())
+    lcpush = pathlib.Path(sys.argv[1]).resolve()
+    write_live(lcpush, target.resolve())
     write_text(target)
+    write_slides(lcpush, target)
+    write_beamer(lcpush, target)
+    write_handout(target)
     print(f"Wrote {target / 'index.html'} and what it leads to; open it in a browser.")
