@@ -65,11 +65,10 @@ def write_live(tool, folder):
         if done.returncode not in (0, 1):  # 1: it ends in a ray
             sys.exit(done.stderr)
     ask("play", "--lcp", into="lcp.html")
-    for page in PAGES:
-        for words, _ in commands((TEACH / f"{page}.md").read_text()):
-            name, _ = live(words)
-            if name != "lcp.html" and not (folder / name).exists():
-                ask("pivots", *(word for word in words if word != "--choose"), "--format", "html", into=name)
+    pages = {live(words)[0]: words for page in PAGES for words, _ in commands((TEACH / f"{page}.md").read_text())}
+    for name, words in pages.items():
+        if name != "lcp.html":
+            ask("pivots", *(word for word in words if word != "--choose"), "--format", "html", into=name)
 
 
 # Markdown, as far as these texts use it.
@@ -78,7 +77,7 @@ def inline(text):
     def link(match):
         words, target = match[1], match[2]
         if target.startswith("live/"):
-            return f'<a class="live" href="{html.escape(target[5:])}">{words}</a>'
+            return f'<a class="live" href="{target[5:]}">{words}</a>'
         page, _, anchor = target.partition("#")
         name = PAGES.get(page.removesuffix(".md"), page)
         if "://" in page or (page and not page.removesuffix(".md") in PAGES and page not in PAGES.values()):
@@ -98,8 +97,8 @@ def inline(text):
         part = re.sub(r"(?<!\w)\*([^*\n]+?)\*(?!\w)", r"<em>\1</em>", part)
         parts[k] = part
     text = "".join(parts)
-    text = re.sub(r"!\[(.*?)\]\(([^)\s]+)\)", image, text)
-    text = re.sub(r"\[(.*?)\]\(([^)\s]+)\)", link, text)
+    text = re.sub(r"!\[([^]]*)\]\(([^)\s]+)\)", image, text)
+    text = re.sub(r"\[([^]]*)\]\(([^)\s]+)\)", link, text)
     return "".join(part if part[:1] == "<" else as_mathematics(part)
                    for part in re.split(r"(<code>.*?</code>|<[^>]+>)", text))
 
@@ -185,7 +184,7 @@ th { font-weight: 600; } .scroll { overflow-x: auto; }
 details { border: 1px solid var(--line); padding: 4px 14px; margin: 12px 0; } summary { cursor: pointer; min-height: 34px;
   line-height: 34px; }
 :focus-visible { outline: 3px solid var(--link); outline-offset: 2px; }
-nav a { margin-right: 16px; }
+nav { display: flex; flex-wrap: wrap; gap: 4px 16px; }
 @media print { :root { --paper: #fff; } nav { display: none; } a { color: inherit; text-decoration: none; } body { max-width: none; } }
 """
 

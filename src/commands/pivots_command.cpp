@@ -100,7 +100,7 @@ Command pivots_command() {
   return {
       "pivots",
       "SCENE.toml | M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
-      "Lemke's method pivot by pivot, as text, LaTeX, a picture or a page",
+      "Lemke's method pivot by pivot, as text, LaTeX, SVG or a page",
       "Pivots as the textbooks do: cover d = 1, nothing scaled, ties broken lexicographically. Of "
       "a\n"
       "scene it takes the first round of its pressure law, in SI units, with four facets. A row\n"
