@@ -51,7 +51,7 @@ def live(words):
         files = [pathlib.Path(word).name.split(".")[0] if word.endswith((".mtx", ".toml")) else word
                  for word in plain if not word.endswith(".q.mtx")]
         return re.sub(r"[^\w-]+", "_", "_".join(files)).replace("--", "") + ".html", ""
-    return "lcp.html", "problem=" + "|".join(urllib.parse.quote(x, safe=";/") for x in problem)
+    return "lcp.html", "problem=" + "%7C".join(urllib.parse.quote(x, safe=";/") for x in problem)
 
 
 def live_link(words, step, guess=False):

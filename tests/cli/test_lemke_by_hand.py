@@ -111,7 +111,6 @@ for answers, words, shown in typed:
 sys.path.insert(0, str(teach))
 import make_lecture  # noqa: E402
 
-lives = 0
 for name in ("lemke_by_hand", "exercises", "galleries"):
     text = (teach / f"{name}.md").read_text()
     for block in re.split(r"^```(?=console|text)", text, flags=re.M)[1:]:
@@ -126,8 +125,6 @@ for name in ("lemke_by_hand", "exercises", "galleries"):
             ends = re.search(r"olved.* after (\d+) pivot", printed)
             pivots = [int(k) for k in re.findall(r"^Pivot (\d+):", printed, flags=re.M)]
             assert step in (pivots or [int(ends[1]) if ends else 0]), (name, link)
-            lives += 1
-assert lives > 40, lives
 
 
 # Every key of the JSON is described, and every key described exists. What is inside of the page's
