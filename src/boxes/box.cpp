@@ -100,7 +100,13 @@ Rational BoxSide::high_at(const Rational& margin) const {
   return is_relative ? middle + abs(middle) * margin : high;
 }
 
-Box::Box(const VariedScene& scene) : scene_(scene), parameters_(scene.ranges()) {
+bool is_load(const BoxSide& side) {
+  constexpr std::array loads = {"mass", "gravity", "force", "moment"};
+  return side.is_one_of(loads);
+}
+
+Box::Box(const VariedScene& scene, const std::vector<BoxSide>& more)
+    : scene_(scene), parameters_(scene.ranges()) {
   const SceneFile file = scene.as_given();
   const auto shares_jaws = [&](const Parameter& parameter) {
     return key_of(parameter) == "grip_force" &&
@@ -127,6 +133,13 @@ Box::Box(const VariedScene& scene) : scene_(scene), parameters_(scene.ranges()) 
     sides_.push_back(
         {{parameter}, *low, middle, *high, key, !is_place && middle.sign() != 0, role});
   }
+  for (const BoxSide& side : more) {
+    for (const Parameter& parameter : side.parameters)
+      if (std::none_of(parameters_.begin(), parameters_.end(),
+                       [&](const Parameter& one) { return one.path == parameter.path; }))
+        parameters_.push_back(parameter);
+    sides_.push_back(side);
+  }
   if (sides_.size() > box_settings.most_sides)
     refuse(parameters_.back().path, "a box of " + std::to_string(sides_.size()) +
                                         " numbers has too many corners; at most " +
@@ -135,10 +148,17 @@ Box::Box(const VariedScene& scene) : scene_(scene), parameters_(scene.ranges()) 
 
 std::vector<Rational> Box::values(const std::vector<Rational>& of_sides) const {
   std::vector<Rational> values;
-  for (const Parameter& parameter : parameters_)
+  for (const Parameter& parameter : parameters_) {
+    Rational value = *Rational::parse(parameter.typed);
     for (std::size_t k = 0; k < sides_.size(); ++k)
-      for (const Parameter& one : sides_[k].parameters)
-        if (one.path == parameter.path) values.push_back(of_sides[k]);
+      for (std::size_t i = 0; i < sides_[k].parameters.size(); ++i) {
+        const BoxSide& side = sides_[k];
+        if (side.parameters[i].path != parameter.path) continue;
+        value =
+            side.slopes.empty() ? of_sides[k] : value + side.slopes[i] * (of_sides[k] - side.typed);
+      }
+    values.push_back(std::move(value));
+  }
   return values;
 }
 
@@ -224,7 +244,7 @@ double widest_margin(const std::function<bool(double margin)>& holds, bool is_qu
     const double middle = (low + high) / 2;
     (holds(middle) ? low : high) = middle;
   }
-  return low * (1 - box_settings.inside);
+  return std::max(low - box_settings.inside, 0.0);
 }
 
 } // namespace lcpush::desktop

@@ -16,6 +16,9 @@ struct BoxSide {
   std::string key;          ///< "friction", "ends", ..
   bool is_relative;         ///< a margin scales it: no place, and not 0 in the middle
   std::optional<Role> role; ///< of the body that it is a number of; of other tables none
+  /// Of a side that moves its numbers together from where they are typed: by how much of it each.
+  std::vector<Rational> slopes = {};
+  Rational typed = 0; ///< where it leaves them there
 
   template <class Keys> bool is_one_of(const Keys& keys) const {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -25,9 +28,13 @@ struct BoxSide {
   Rational high_at(const Rational& margin) const;
 };
 
+/// The load's.
+bool is_load(const BoxSide& side);
+
 class Box {
 public:
-  explicit Box(const VariedScene& scene);
+  /// Of the scene's ranges, and of more sides.
+  explicit Box(const VariedScene& scene, const std::vector<BoxSide>& more = {});
 
   const std::vector<BoxSide>& sides() const { return sides_; }
   /// Which of the corners: bit k for the upper end of side k.

@@ -8,14 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace lcpush::desktop {
 namespace {
 
 /// Keys in which all that matters is affine, and keys that do not matter unless they change what
 /// does: places of contacts `on` faces grow or shrink with the object, all the way or not at all.
-constexpr std::array affine_keys = {"friction", "grip_force", "mass",   "gravity", "force",
-                                    "moment",   "shift",      "center", "ends",    "points"};
+constexpr std::array affine_keys = {"friction", "grip_force", "mass", "gravity", "force", "moment",
+                                    "shift",    "center",     "ends", "points",  "length"};
 constexpr std::array idle_keys = {"inertia",       "box",
                                   "sphere_radius", "cylinder_radius",
                                   "velocity",      "cylinder_length",
@@ -79,8 +80,7 @@ PointResistance pyramid_resistance(const PointResistance& u, const SceneOf<Ratio
   return best;
 }
 
-template <class T> T from(const Interval& x) { return x; }
-template <> double from<double>(const Interval& x) { return (x.low.value() + x.high.value()) / 2; }
+double middle(const Interval& x) { return (x.low.value() + x.high.value()) / 2; }
 
 } // namespace
 
@@ -103,10 +103,16 @@ PushModel::PushModel(const Box& box, const std::optional<Vector6<double>>& twist
   for (Rational& x : twist_) x *= Rational(std::ldexp(1.0, -power));
   const Rational cut =
       pusher.normal.squaredNorm() == Rational(1) ? Rational(0) : Rational(box_settings.cut_normal);
-  normal_ = {about(pusher.normal[0], cut), about(pusher.normal[1], cut)};
+  fixed_.normal = {about(pusher.normal[0], cut), about(pusher.normal[1], cut)};
   find_slopes(scene, twist.has_value());
   if (obstacle_.empty()) find_resistance(scene);
   if (obstacle_.empty()) find_places();
+  fixed_.slack = spread_;
+  for (const auto& r : fixed_.resists)
+    rounded_fixed_.resists.push_back({middle(r[0]), middle(r[1]), middle(r[2])});
+  rounded_fixed_.normal = {middle(fixed_.normal[0]), middle(fixed_.normal[1])};
+  rounded_fixed_.slack = spread_.value();
+  if (last_ != first_) width_ = middle(standing(middle_, last_, first_).along);
 }
 
 PushModel::Numbers PushModel::numbers(const SceneOf<Rational>& scene) const {
@@ -130,7 +136,7 @@ void PushModel::refuse(const BoxSide& side) {
 /// What reaches beyond the object's box is cut to it, from some overhang on: no affine function of
 /// a place. The overhang is convex, so none at the corners is none in between.
 void PushModel::refuse_cuts() {
-  constexpr std::array place_keys = {"shift", "center", "ends", "points"};
+  constexpr std::array place_keys = {"shift", "center", "ends", "points", "length"};
   const auto& sides = box_.sides();
   if (std::none_of(sides.begin(), sides.end(),
                    [&](const BoxSide& side) { return side.is_one_of(place_keys); }))
@@ -183,8 +189,7 @@ void PushModel::find_slopes(const SceneOf<Rational>& scene, bool has_twist) {
   for (std::size_t k = 0; k < box_.sides().size(); ++k) {
     const BoxSide& side = box_.sides()[k];
     Numbers slope(middle_.size(), Rational(0));
-    // An offset in a face moves what may be clipped to it.
-    if (side.is_one_of(affine_keys) && side.parameters[0].axis == 0) {
+    if (side.is_one_of(affine_keys)) {
       const Rational step = side.low < side.high ? side.high - side.middle : side.middle;
       if (step.sign() != 0) slope = change(k, step);
       for (Rational& x : slope) x = x.sign() == 0 ? x : x / step;
@@ -201,9 +206,11 @@ void PushModel::find_slopes(const SceneOf<Rational>& scene, bool has_twist) {
     has_load_ = has_load_ || middle_[i].sign() != 0;
   refuse_cuts();
   for (const Rational& x : middle_) rounded_middle_.push_back(x.value());
-  for (const Numbers& slope : slopes_) {
-    rounded_slopes_.emplace_back();
-    for (const Rational& x : slope) rounded_slopes_.back().push_back(x.value());
+  for (std::size_t k = 0; k < slopes_.size(); ++k) {
+    rounded_slopes_.push_back({box_.sides()[k].middle.value(), {}});
+    for (std::size_t i = 0; i < middle_.size(); ++i)
+      if (slopes_[k][i].sign() != 0)
+        rounded_slopes_.back().list.emplace_back(i, slopes_[k][i].value());
   }
 }
 
@@ -234,7 +241,7 @@ void PushModel::find_resistance(const SceneOf<Rational>& scene) {
       sum[1] = shortened(sum[1] + weight * r[1]);
       sum[2] = shortened(sum[2] + weight * (x * r[1] - y * r[0] + r[2]));
     }
-    resists_.push_back(sum);
+    fixed_.resists.push_back(sum);
   }
 }
 
@@ -247,8 +254,8 @@ PushModel::Standing PushModel::standing(const Numbers& numbers, Index point, Ind
     x -= number(beside, 0);
     y -= number(beside, 1);
   }
-  return {Interval(y) * normal_[0] - Interval(x) * normal_[1],
-          Interval(x) * normal_[0] + Interval(y) * normal_[1]};
+  return {Interval(y) * fixed_.normal[0] - Interval(x) * fixed_.normal[1],
+          Interval(x) * fixed_.normal[0] + Interval(y) * fixed_.normal[1]};
 }
 
 Rational PushModel::least(const std::function<Interval(const Numbers& numbers)>& linear) const {
@@ -269,7 +276,8 @@ void PushModel::find_places() {
   }
   if (!(standing(middle_, last_, first_).along.low.sign() > 0))
     obstacle_ = "the pusher presses at one place, where the object turns as it may";
-  const Interval closing = Interval(twist_[0]) * normal_[0] + Interval(twist_[1]) * normal_[1];
+  const Interval closing =
+      Interval(twist_[0]) * fixed_.normal[0] + Interval(twist_[1]) * fixed_.normal[1];
   for (Index i = 0; i < points_; ++i) {
     const auto along = [&](Index a, Index b) {
       return least([&](const Numbers& numbers) { return standing(numbers, a, b).along; });
@@ -301,16 +309,17 @@ PushModel::Numbers PushModel::numbers_at(const std::vector<Rational>& of_sides) 
 /// w = sum_b mu_b F_b R_b - m g - f at the centre of mass; M = h f_t - moment is the sum of the
 /// points' s times their normal forces, with h where an outer point stands along n.
 template <class T, class Number>
-PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers) const {
+PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers,
+                                           const Fixed<T>& fixed) const {
   const auto number = [&](std::size_t i) { return T(numbers[i]); };
   const T m = number(at(mass));
   T w[3] = {T(0) - m * number(at(gravity_x)) - number(at(force_x)),
             T(0) - m * number(at(gravity_y)) - number(at(force_y)), T(0) - number(at(moment))};
   for (std::size_t b = 0; b < fingers_; ++b) {
     const T limit = number(b) * number(fingers_ + b);
-    for (std::size_t i = 0; i < 3; ++i) w[i] = w[i] + limit * from<T>(resists_[b][i]);
+    for (std::size_t i = 0; i < 3; ++i) w[i] = w[i] + limit * fixed.resists[b][i];
   }
-  const T nx = from<T>(normal_[0]), ny = from<T>(normal_[1]), mu = number(at(friction));
+  const T nx = fixed.normal[0], ny = fixed.normal[1], mu = number(at(friction));
   const T pressed = w[0] * nx + w[1] * ny, dragged = w[1] * nx - w[0] * ny;
   const auto beyond = [&](Index i) { // M - s f_n
     const std::size_t x = at(first_point) + 2 * static_cast<std::size_t>(i);
@@ -318,20 +327,38 @@ PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers) c
     return h * dragged - w[2] - s * pressed;
   };
   return {{mu * pressed - dragged, mu * pressed + dragged, beyond(first_), T(0) - beyond(last_)},
-          from<T>(Interval(spread_)) * mu * pressed};
+          fixed.slack * mu * pressed};
 }
 
 PushConditions<Interval> PushModel::exact_conditions(const std::vector<Rational>& of_sides) const {
-  return conditions_of<Interval>(numbers_at(of_sides));
+  return conditions_of(numbers_at(of_sides), fixed_);
 }
 
 PushConditions<double> PushModel::conditions(const std::vector<double>& of_sides) const {
   std::vector<double> numbers = rounded_middle_;
-  for (std::size_t k = 0; k < rounded_slopes_.size(); ++k) {
-    const double step = of_sides[k] - box_.sides()[k].middle.value();
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += rounded_slopes_[k][i] * step;
+  for (std::size_t k = 0; k < rounded_slopes_.size(); ++k)
+    for (const auto& [i, slope] : rounded_slopes_[k].list)
+      numbers[i] += slope * (of_sides[k] - rounded_slopes_[k].middle);
+  return conditions_of(numbers, rounded_fixed_);
+}
+
+PushModel::Room PushModel::room(const std::vector<double>& low,
+                                const std::vector<double>& high) const {
+  Room room{std::numeric_limits<double>::infinity(), 0};
+  for (Box::Corner c = 0; c < box_.corners(); ++c) {
+    bool is_wanted = true;
+    std::vector<double> at = low;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if ((c >> k & 1U) == 0) continue;
+      is_wanted = is_wanted && counts_[k] && low[k] < high[k];
+      at[k] = high[k];
+    }
+    if (!is_wanted) continue;
+    const std::array<double, 4> values = conditions(at).values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] / unit(i) < room.least) room = {values[i] / unit(i), i};
   }
-  return conditions_of<double>(numbers);
+  return room;
 }
 
 } // namespace lcpush::desktop

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -28,6 +29,8 @@ public:
 
   /// Why it is no such push, a clause; empty: it is one.
   const std::string& obstacle() const { return obstacle_; }
+  /// m, between the outer points: what a moment is compared with forces at. Of friction 1.
+  double unit(std::size_t condition) const { return condition < 2 ? 1 : width_; }
   /// Of the sides, those on which it depends.
   const std::vector<bool>& counts() const { return counts_; }
   Index pusher() const { return pusher_; }
@@ -39,6 +42,13 @@ public:
 
   PushConditions<Interval> exact_conditions(const std::vector<Rational>& of_sides) const;
   PushConditions<double> conditions(const std::vector<double>& of_sides) const;
+  /// With rounding: how much the condition that fails most at a corner between `low` and `high`
+  /// has to spare there, N; < 0: it slips.
+  struct Room {
+    double least;
+    std::size_t condition;
+  };
+  Room room(const std::vector<double>& low, const std::vector<double>& high) const;
   /// Does the motion press some point of the pusher into the object, in the whole box?
   bool presses() const { return presses_; }
 
@@ -56,12 +66,24 @@ private:
   bool has_load_ = false, presses_ = false;
   Rational spread_ = 0; ///< of the pusher's points along its normal
   Numbers middle_;
-  std::vector<Numbers> slopes_;                  ///< a side
-  std::vector<std::array<Interval, 3>> resists_; ///< a finger of normal force and friction 1
-  std::array<Interval, 2> normal_;
+  std::vector<Numbers> slopes_; ///< a side
+  /// What stays: the resistance of fingers of normal force and friction 1, and the pusher's normal.
+  template <class T> struct Fixed {
+    std::vector<std::array<T, 3>> resists;
+    std::array<T, 2> normal;
+    T slack;
+  };
+  Fixed<Interval> fixed_;
+  Fixed<double> rounded_fixed_;
+  double width_ = 1; ///< m, between the outer points
   std::array<Rational, 3> twist_;
   std::vector<double> rounded_middle_;
-  std::vector<std::vector<double>> rounded_slopes_;
+  /// Of a side: where the slopes begin, and those that are not 0.
+  struct Slopes {
+    double middle;
+    std::vector<std::pair<std::size_t, double>> list;
+  };
+  std::vector<Slopes> rounded_slopes_;
 
   std::size_t at(Place place) const { return 2 * fingers_ + static_cast<std::size_t>(place); }
   void refuse(const BoxSide& side);
@@ -80,7 +102,7 @@ private:
   /// The least in the box of what is linear in places.
   Rational least(const std::function<Interval(const Numbers& numbers)>& linear) const;
   template <class T, class Number>
-  PushConditions<T> conditions_of(const std::vector<Number>& numbers) const;
+  PushConditions<T> conditions_of(const std::vector<Number>& numbers, const Fixed<T>& fixed) const;
 };
 
 } // namespace lcpush::desktop

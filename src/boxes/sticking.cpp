@@ -1,9 +1,10 @@
 // The verdict on a sticking push over a box, and its margin.
-#include "boxes/push_model.hpp"
+#include "boxes/sticking.hpp"
 #include "boxes/settings.hpp"
 #include "cone/pusher_cone.hpp"
 #include "lcpush/desktop/naming.hpp"
 #include "solve/sentence.hpp"
+#include "text/wording.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,13 @@
 
 namespace lcpush::desktop {
 namespace {
+
+/// As they are typed.
+std::vector<Rational> exact(const std::vector<double>& of_sides) {
+  std::vector<Rational> values;
+  for (const double value : of_sides) values.push_back(*Rational::parse(shown(value)));
+  return values;
+}
 
 class PushJudge {
 public:
@@ -56,8 +64,8 @@ private:
         const Rational most =
             i < 2 ? there.values[i].high : there.values[i].high + there.slack.high;
         seen.fails[i] = seen.fails[i] && most.sign() < 0;
-        if (most.sign() >= 0 || !(most.value() / unit(i) < worst)) continue;
-        worst = most.value() / unit(i);
+        if (most.sign() >= 0 || !(most.value() / model_.unit(i) < worst)) continue;
+        worst = most.value() / model_.unit(i);
         seen.slips = c;
         seen.condition = i;
       }
@@ -65,23 +73,13 @@ private:
     return seen;
   }
 
-  /// Of a condition: moments are compared with forces at the pusher's width.
-  double unit(std::size_t condition) const {
-    const auto& points = file_.points;
-    return condition < 2 ? 1
-                         : (points[point(model_.last())] - points[point(model_.first())]).norm();
-  }
-  std::size_t point(Index i) const {
-    return static_cast<std::size_t>(file_.body(model_.pusher()).first_point + i);
-  }
-
   void decide(const Seen& seen) {
     if (std::find(seen.fails.begin(), seen.fails.end(), true) != seen.fails.end()) {
       answer_.verdict = BoxVerdict::never;
-      answer_.reason = slip_words(seen.condition);
+      answer_.reason = slip_words(file_, model_, seen.condition);
     } else if (seen.slips) {
       answer_.verdict = BoxVerdict::may_slip;
-      answer_.reason = slip_words(seen.condition);
+      answer_.reason = slip_words(file_, model_, seen.condition);
       box_.put_corner(box_.corner(*seen.slips), answer_);
     } else if (!seen.sticks) {
       answer_.reason = "it is on the verge of slipping at a corner, within what fractions can tell";
@@ -92,74 +90,30 @@ private:
     }
   }
 
-  std::string slip_words(std::size_t condition) const {
-    const Body<double>& pusher = file_.body(model_.pusher());
-    const Vector3<double> along = cross<double>(Vector3<double>::UnitZ(), pusher.normal);
-    const std::string object = object_name(file_), name = file_.body_name(model_.pusher());
-    if (condition < 2)
-      return object + " slips over " + name + " along " +
-             direction_text(Vector3<double>((condition == 0 ? -1 : 1) * along));
-    const Index outer = condition == 2 ? model_.first() : model_.last();
-    return object + " turns about " + point_name(file_, static_cast<Index>(point(outer))) +
-           " off the rest of " + name;
-  }
-
-  /// The load's largest share of what the grip holds alone, over the corners: it is convex in each
-  /// number of the load, and falls with friction and grip.
-  double holding_share(const std::optional<Rational>& margin, Box::Corner& worst) const {
-    double most = 0;
-    for (Box::Corner c = 0; c < box_.corners(); ++c) {
-      bool is_least = is_wanted(c);
-      for (std::size_t k = 0; k < box_.sides().size(); ++k) {
-        const BoxSide& side = box_.sides()[k];
-        const bool is_load = side.key == "mass" || side.key == "gravity" || side.key == "force" ||
-                             side.key == "moment";
-        is_least = is_least && (is_load || (c >> k & 1U) == 0);
-      }
-      if (!is_least) continue;
-      const SceneFile there = box_.scene_at(box_.corner(c, margin));
-      const double length = planar_reach(there);
-      const Vector3<double> load = planar_load(there, length);
-      if (load.isZero(0)) continue;
-      const LimitSurface grip(GripPoints(there), length);
-      const double share =
-          grip.is_solid() ? grip.share_of(load) : std::numeric_limits<double>::infinity();
-      if (!(share > most)) continue;
-      most = share;
-      worst = c;
+  BoxEnds ends(const std::optional<double>& margin) const {
+    BoxEnds ends;
+    for (const BoxSide& side : box_.sides()) {
+      const double middle = side.middle.value(), off = std::abs(middle) * margin.value_or(0);
+      const bool is_scaled = margin && side.is_relative;
+      ends.low.push_back(is_scaled ? middle - off : side.low.value());
+      ends.high.push_back(is_scaled ? middle + off : side.high.value());
     }
-    return most;
+    return ends;
   }
 
   void decide_holding() {
     if (answer_.verdict == BoxVerdict::never) return;
-    Box::Corner worst = 0;
-    const double share = holding_share(std::nullopt, worst);
+    std::vector<double> worst;
+    const double share = holding_share(box_, model_, ends(std::nullopt), worst);
     if (share < 1 - box_settings.holding) return;
     const bool falls = share > 1 + box_settings.holding;
     if (!falls && answer_.verdict != BoxVerdict::always) return;
     answer_.verdict = falls ? BoxVerdict::may_slip : BoxVerdict::not_known;
-    answer_.reason = "the grasp " + std::string(falls ? "does not hold " : "hardly holds ") +
-                     object_name(file_) + " before it is pushed";
+    answer_.reason = falls
+                         ? falls_words(file_)
+                         : "the grasp hardly holds " + object_name(file_) + " before it is pushed";
     answer_.corner.clear();
-    if (falls) box_.put_corner(box_.corner(worst), answer_);
-  }
-
-  bool sticks(double margin) const {
-    for (Box::Corner c = 0; c < box_.corners(); ++c) {
-      if (!is_wanted(c)) continue;
-      std::vector<double> at;
-      for (std::size_t k = 0; k < box_.sides().size(); ++k) {
-        const BoxSide& side = box_.sides()[k];
-        const bool is_high = (c >> k & 1U) != 0;
-        const double middle = side.middle.value();
-        at.push_back(!side.is_relative ? (is_high ? side.high : side.low).value()
-                                       : middle + (is_high ? 1 : -1) * std::abs(middle) * margin);
-      }
-      for (const double value : model_.conditions(at).values)
-        if (value < 0) return false;
-    }
-    return true;
+    if (falls) box_.put_corner(exact(worst), answer_);
   }
 
   /// The boxes of growing margins lie in each other: there is one largest. It is looked for with
@@ -169,15 +123,9 @@ private:
     answer_.is_indifferent = std::find(counts.begin(), counts.end(), true) == counts.end() &&
                              answer_.verdict == BoxVerdict::always;
     if (!box_.is_scaled(counts)) return;
-    double margin = widest_margin([this](double e) { return sticks(e); });
-    Box::Corner worst = 0;
-    const auto holds = [&](double e) {
-      return !model_.has_load() || holding_share(Rational(e), worst) < 1 - box_settings.holding;
-    };
-    if (!holds(margin))
-      margin = widest_margin([&](double part) { return holds(part * margin); }, true) * margin;
+    const double margin = sticking_margin(box_, model_, [this](double e) { return ends(e); });
     const Seen seen = look(Rational(margin));
-    if (seen.sticks && model_.presses() && holds(margin))
+    if (seen.sticks && model_.presses())
       answer_.margin = margin;
     else if (seen.slips || answer_.verdict == BoxVerdict::never)
       answer_.margin = 0;
@@ -190,6 +138,64 @@ private:
 };
 
 } // namespace
+
+std::string falls_words(const SceneFile& file) {
+  return "the grasp does not hold " + object_name(file) + " before it is pushed";
+}
+
+std::string slip_words(const SceneFile& file, const PushModel& model, std::size_t condition) {
+  const Body<double>& pusher = file.body(model.pusher());
+  const Vector3<double> along = cross<double>(Vector3<double>::UnitZ(), pusher.normal);
+  const std::string object = object_name(file), name = file.body_name(model.pusher());
+  if (condition < 2)
+    return object + " slips over " + name + " along " +
+           direction_text(Vector3<double>((condition == 0 ? -1 : 1) * along));
+  const Index outer = pusher.first_point + (condition == 2 ? model.first() : model.last());
+  return object + " turns about " + point_name(file, outer) + " off the rest of " + name;
+}
+
+/// The share is convex in each number of the load, and falls with friction and grip.
+double holding_share(const Box& box, const PushModel& model, const BoxEnds& ends,
+                     std::vector<double>& worst) {
+  double most = 0;
+  for (Box::Corner c = 0; c < box.corners(); ++c) {
+    bool is_wanted = true;
+    std::vector<double> at = ends.low;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if ((c >> k & 1U) == 0) continue;
+      is_wanted =
+          is_wanted && model.counts()[k] && is_load(box.sides()[k]) && ends.low[k] < ends.high[k];
+      at[k] = ends.high[k];
+    }
+    if (!is_wanted) continue;
+    const SceneFile there = box.scene_at(exact(at));
+    const double length = planar_reach(there);
+    const Vector3<double> load = planar_load(there, length);
+    if (load.isZero(0)) continue;
+    const LimitSurface grip(GripPoints(there), length);
+    const double share =
+        grip.is_solid() ? grip.share_of(load) : std::numeric_limits<double>::infinity();
+    if (!(share > most)) continue;
+    most = share;
+    worst = at;
+  }
+  return most;
+}
+
+double sticking_margin(const Box& box, const PushModel& model,
+                       const std::function<BoxEnds(double margin)>& ends) {
+  const double margin = widest_margin([&](double e) {
+    const BoxEnds there = ends(e);
+    return model.room(there.low, there.high).least >= 0;
+  });
+  std::vector<double> worst;
+  const auto holds = [&](double e) {
+    return !model.has_load() ||
+           holding_share(box, model, ends(e), worst) < 1 - box_settings.holding;
+  };
+  if (holds(margin)) return margin;
+  return widest_margin([&](double part) { return holds(part * margin); }, true) * margin;
+}
 
 BoxAnswer judge_push(const VariedScene& scene, const std::optional<Vector6<double>>& twist) {
   const SceneFile file = scene.as_given();

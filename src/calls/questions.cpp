@@ -159,6 +159,7 @@ std::vector<Command> all_questions() {
           cone_command(),
           hold_command(),
           plan_command(),
+          design_command(),
           question("certify", "SCENE", {{"break", "", ""}, {"pusher", "NAME", ""}, solver_option},
                    json, certify),
           pivots_command(),

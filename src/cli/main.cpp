@@ -33,7 +33,7 @@ constexpr std::pair<const char*, const char*> groups[] = {{"new", "start"},
 /// It fits a terminal of 80 columns and 24 lines.
 std::string overview(const std::vector<ShellCommand>& commands) {
   std::string text = "lcpush " + std::string(version_text) +
-                     ": how hard to push a gripped object, and how it then slips\n\n"
+                     ": how hard to push a gripped object, and how it then slips\n"
                      "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\n";
   for (const ShellCommand& command : commands) {
     std::string line;
@@ -191,11 +191,11 @@ int run(const std::vector<ShellCommand>& commands, const std::vector<std::string
 
 std::vector<ShellCommand> all_commands() {
   using namespace commands;
-  return {new_command(),        example_command(), completion_command(), {solve_command()},
-          {break_command()},    {hold_command()},  {move_command()},     {sweep_command()},
-          {spread_command()},   {cone_command()},  {plan_command()},     {lcp_command()},
-          {report_command()},   play_command(),    {verify_command()},   export_command(),
-          {matrices_command()}, {pivots_command()}};
+  return {new_command(),      example_command(),    completion_command(), {solve_command()},
+          {break_command()},  {hold_command()},     {move_command()},     {sweep_command()},
+          {spread_command()}, {cone_command()},     {plan_command()},     {design_command()},
+          {lcp_command()},    {report_command()},   play_command(),       {verify_command()},
+          export_command(),   {matrices_command()}, {pivots_command()}};
 }
 
 } // namespace lcpush::cli

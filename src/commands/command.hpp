@@ -62,6 +62,7 @@ Command move_command();
 Command hold_command();
 Command cone_command();
 Command plan_command();
+Command design_command();
 Command pivots_command();
 Command verify_command();
 Command spread_command();

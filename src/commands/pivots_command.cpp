@@ -88,6 +88,7 @@ Result run_pivots(const Values& values, Listener& listener) {
   const Push* const push = subject.push.get();
   return {traced.status == Status::solved, format == "json"    ? pivots_json(traced, push)
                                            : format == "latex" ? pivots_latex(traced)
+                                           : format == "svg"   ? pivots_svg(traced)
                                            : format == "html"
                                                ? pivots_html(traced, push)
                                                : pivots_text(traced, values.telling())};
@@ -99,7 +100,7 @@ Command pivots_command() {
   return {
       "pivots",
       "SCENE.toml | M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
-      "Lemke's method pivot by pivot, as text, LaTeX or a page",
+      "Lemke's method pivot by pivot, as text, LaTeX, SVG or a page",
       "Pivots as the textbooks do: cover d = 1, nothing scaled, ties broken lexicographically. Of "
       "a\n"
       "scene it takes the first round of its pressure law, in SI units, with four facets. A row\n"
@@ -124,10 +125,10 @@ Command pivots_command() {
           {"verbose", "", "also the tableaus of more than 12 unknowns; -v for short", false, true},
           set_option,
           seconds_option,
-          format_option("text (default), json, latex or html; --json for short", "NAME"),
+          format_option("text (default), json, latex, svg or html; --json for short", "NAME"),
       }),
       run_pivots,
-      {"text", "json", "latex", "html"},
+      {"text", "json", "latex", "svg", "html"},
       2};
 }
 

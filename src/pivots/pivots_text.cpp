@@ -3,6 +3,9 @@
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 namespace lcpush::desktop {
 namespace {
 
@@ -15,6 +18,8 @@ std::string number_text(const TraceNumber& x) {
 /// \tfrac{2}{7}, or a decimal.
 std::string number_latex(const TraceNumber& x) {
   const std::string text = number_text(x);
+  if (const std::size_t e = text.find('e'); e != std::string::npos)
+    return text.substr(0, e) + "\\cdot 10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) return text;
   const std::size_t begin = text[0] == '-' ? 1 : 0;
@@ -194,22 +199,53 @@ std::string pivots_text(const PivotTrace& trace, Telling telling) {
 
 namespace {
 
+/// The size at which a table fits the width of an article's text, as far as one does.
+std::string size_latex(const TableRows& cells) {
+  constexpr double text_width = 345, letter = 5, gap = 8; // pt
+  double width = 0;
+  for (std::size_t j = 0; j < cells[0].size(); ++j) {
+    std::size_t longest = 0;
+    for (const auto& row : cells) longest = std::max(longest, row[j].size());
+    width += letter * static_cast<double>(longest) + gap;
+  }
+  constexpr double footnote = 0.8; // of the letters' own size
+  return width < text_width              ? "\\normalsize"
+         : width * footnote < text_width ? "\\footnotesize"
+                                         : "\\scriptsize";
+}
+
 std::string array_latex(const PivotTrace& trace, const Tableau& tableau, const TracedPivot* pivot) {
   const TableRows rows = cells_of(as_latex, trace, tableau, pivot);
-  std::string text = "\\[\n\\begin{array}{r|r|" + std::string(tableau.columns.size(), 'r') +
+  // Fractions keep off the rules and the frame.
+  std::string text = "{" + size_latex(cells_of(as_text, trace, tableau, pivot)) +
+                     "\n\\[\n\\renewcommand{\\arraystretch}{1.4}\\setlength{\\arraycolsep}{4pt}\n"
+                     "\\begin{array}{r|r|" +
+                     std::string(tableau.columns.size(), 'r') +
                      (pivot != nullptr ? "|r}\n " : "}\n ") + joined(rows[0], " & ") +
                      " \\\\\n\\hline\n";
   for (std::size_t i = 1; i < rows.size(); ++i) text += "  " + joined(rows[i], " & ") + " \\\\\n";
-  return text + "\\end{array}\n\\]\n";
+  return text + "\\end{array}\n\\]}\n";
 }
 
-/// Text in which nothing is a command.
+/// Text in which nothing is a command, variables and comparisons as mathematics.
 std::string plain(const std::string& words) {
   std::string text;
-  for (const char c : words) {
-    if (std::string("#$%&_{}").find(c) != std::string::npos) text += '\\';
-    if (c == '\\' || c == '~' || c == '^') text += "\\char`\\";
-    text += c;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const char c = words[i];
+    const std::size_t end = words.find_first_not_of("0123456789", i + 1);
+    const bool begins = i == 0 || std::isalnum(static_cast<unsigned char>(words[i - 1])) == 0;
+    if (begins && (c == 'w' || c == 'z' || c == 'v') && end != i + 1) {
+      text += "$" + name_latex(words.substr(i, end - i)) + "$";
+      i = std::min(end, words.size()) - 1;
+    } else if (c == '<' || c == '>' || c == '|') {
+      const bool or_equal = c != '|' && i + 1 < words.size() && words[i + 1] == '=';
+      text += or_equal ? c == '<' ? "$\\le$" : "$\\ge$" : std::string("$") + c + "$";
+      i += or_equal ? 1 : 0;
+    } else {
+      if (std::string("#$%&_{}").find(c) != std::string::npos) text += '\\';
+      if (c == '\\' || c == '~' || c == '^') text += "\\char`\\";
+      text += c;
+    }
   }
   return text;
 }

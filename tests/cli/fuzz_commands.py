@@ -126,7 +126,7 @@ def scene_case(rng, folder):
     elif command == "matrices":
         words += flag(rng, "--json", "--strict")
     elif command == "pivots":
-        words += form("text", "json", "latex", "html") + option(rng, "--facets", ["4", "5", "256"])
+        words += form("text", "json", "latex", "svg", "html") + option(rng, "--facets", ["4", "5", "256"])
         words += flag(rng, "--exact", "--first-row", "--z0-last", "--as-solved")
         words += option(rng, "--max-pivots", ["1", "50"]) + option(rng, "--pressure", LAWS)
     else:
@@ -153,7 +153,7 @@ def raw_case(rng, folder):
         return words + option(rng, "--solver", ["lemke", "gauss-seidel", "hybrid"]) + \
             option(rng, "--free", ["1", "2,1", "9"]) + flag(rng, "--json", "--history")
     return words + flag(rng, "--exact", "--first-row", "--z0-last", "--as-solved") + \
-        option(rng, "--format", ["html", "json", "latex"]) + option(rng, "--cover", ["1,2", "1,1,1,1"])
+        option(rng, "--format", ["html", "json", "latex", "svg"]) + option(rng, "--cover", ["1,2", "1,1,1,1"])
 
 
 def limit():

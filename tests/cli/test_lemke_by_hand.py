@@ -75,28 +75,18 @@ def svg_path(name, identifier):
     sys.exit(f"{name} has no path {identifier}")
 
 
-def points(path):
-    return [tuple(map(Fraction, part.split())) for part in re.split("[ML]", path)[1:]]
-
-
+# The cones' dots stand at q + z0 d; the text's table names the same points.
 run_of_two = trace("--M", "2 1; 1 2", "--q", "-5 -6", "--exact")
 corners = [tuple(q_i + Fraction(pivot["z0"]) for q_i in (-5, -6)) for pivot in run_of_two["pivots"]]
-drawn = points(svg_path("complementary_cones.svg", "run"))
-assert drawn[1:] == corners, (drawn, corners)
-assert drawn[0][0] - drawn[0][1] == 1, "the line has the direction d"
+dots = sorted(tuple(float(dot.get(key)) for key in ("cx", "cy")) for dot in ElementTree.parse(
+    teach / "complementary_cones.svg").iter("{http://www.w3.org/2000/svg}circle"))
+scale = (dots[-1][0] - dots[0][0]) / float(corners[0][0] - corners[-1][0])
+for (x, y), (px, py) in zip(sorted(corners), dots, strict=True):
+    assert abs(px - dots[0][0] - scale * float(x - corners[-1][0])) < 0.02, (x, px)
+    assert abs(py - dots[0][1] + scale * float(y - corners[-1][1])) < 0.02, (y, py)
 table = re.findall(r"\((-?\d), (-?\d)\)(?= \||$)", section("3 Two unknowns").split("| z0 | the point")[1]
                    .split("\n\n")[0], flags=re.M)
 assert [tuple(map(int, point)) for point in table] == corners, table
-# The cones: I and -M, and each filled one lies between its two columns.
-CONES = {"ww": ((1, 0), (0, 1)), "zw": ((-2, -1), (0, 1)), "wz": ((1, 0), (-1, -2)),
-         "zz": ((-2, -1), (-1, -2))}
-figure = {element.get("class"): element.get("d")
-          for element in ElementTree.parse(teach / "complementary_cones.svg").iter(
-              "{http://www.w3.org/2000/svg}path")}
-for name, (first, second) in CONES.items():
-    sides = {point for point in points(figure[name].rstrip("z")) if any(point)}
-    for ray in (first, second):
-        assert any(x * ray[1] == y * ray[0] and x * ray[0] + y * ray[1] > 0 for x, y in sides), name
 # The coin: 14 px a newton to the arrow's tip, the head ends 10 px beyond the shaft.
 coin_z = [None, *map(Fraction, trace("fixtures/scenes/coin.toml", "--exact")["final"]["z"])]
 for arrow, newtons in (("normal", coin_z[1]), ("weight", coin_z[1]), ("friction", coin_z[3]),
@@ -114,6 +104,27 @@ for answers, words, shown in typed:
                   typed=answers.replace("\\n", "\n"))
     pattern = "\n".join(".*" if line == "..." else re.escape(line) for line in shown.split("\n"))
     assert re.fullmatch(pattern, printed.rstrip("\n"), flags=re.S), printed
+
+
+# Every command of the lecture, the exercises and the galleries is live below it, at a pivot that it
+# shows or where it ends; every exercise asks first, before its answer.
+sys.path.insert(0, str(teach))
+import make_lecture  # noqa: E402
+
+for name in ("lemke_by_hand", "exercises", "galleries"):
+    text = (teach / f"{name}.md").read_text()
+    for block in re.split(r"^```(?=console|text)", text, flags=re.M)[1:]:
+        shown, _, below = block.partition("\n```\n")
+        line = re.match(r"\n*(?:</details>\n\n)?Live: .*", below)
+        links_below = re.findall(r"\]\((live/\S+?)\)", line[0] if line else "")
+        wanted = list(make_lecture.commands(f"```{shown}\n```\n"))
+        assert len(links_below) == len(wanted), (name, shown[:80], links_below)
+        for link, (words, printed) in zip(links_below, wanted):
+            step = int(link.split("step=")[1])
+            assert link == make_lecture.live_link(words, step), (name, link)
+            ends = re.search(r"olved.* after (\d+) pivot", printed)
+            pivots = [int(k) for k in re.findall(r"^Pivot (\d+):", printed, flags=re.M)]
+            assert step in (pivots or [int(ends[1]) if ends else 0]), (name, link)
 
 
 # Every key of the JSON is described, and every key described exists. What is inside of the page's
@@ -155,8 +166,7 @@ values = {"solved", "cycle", "pivot_limit", "numerical_breakdown", "fractions", 
           "tie_column", "largest_pivot", "solve"}
 assert described - written <= values, described - written - values
 
-# Ten exercises, each with its time, its difficulty, an answer that is a transcript, and a test.
-tests = (source / "tests/lcp/pivots/test_exercises.cpp").read_text()
+# Ten exercises, each with its time, its difficulty and an answer that is a transcript.
 exercises = re.split(r"^## Exercise (\d+): ", exercise_page, flags=re.M)
 assert exercises[1::2] == [str(k) for k in range(1, 11)]
 total = 0
@@ -168,7 +178,9 @@ for number, text in zip(exercises[1::2], exercises[2::2]):
     total += int(effort[1])
     answer = re.search(r"<details><summary>Answer</summary>\n\n(.*)\n\n</details>", text, flags=re.S)
     assert answer and "lcpush pivots " in answer[1], number
-    assert f'TEST_CASE("exercise {number}: ' in tests, number
+    words, _ = next(make_lecture.commands(answer[1]))
+    step = 3 if number == "2" else 0
+    assert make_lecture.live_link(words, step, True) in text.split("<details>")[0], number
 assert re.search(rf"about\s+{total} minutes", exercises[0]), total
 
 # From the coin to the slide: the counts of the table, and the rules on every pivot.
@@ -246,7 +258,7 @@ links = 0
 for page in [source / "README.md", source / "fixtures/README.md",
              *sorted((source / "docs").rglob("*.md"))]:
     for target, anchor in re.findall(r"\]\(([^)#\s]*)#([^)\s]+)\)", page.read_text()):
-        if "://" in target:
+        if "://" in target or target.startswith("live/"):
             continue
         other = (page.parent / target).resolve() if target else page
         if teach.resolve() in (page.resolve().parent, other.resolve().parent):

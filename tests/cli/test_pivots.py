@@ -207,7 +207,7 @@ for words, message in [
     ([coin, "--as-solved", "--exact"], "replays what"),
     ([coin, "--first-row", "--choose"], "does not go with it"),
     ([coin, "--max-pivots", "0"], "whole number from 1"),
-    ([coin, "--format", "pdf"], "--format is text, json, latex or html"),
+    ([coin, "--format", "pdf"], "--format is text, json, latex, svg or html"),
     ([coin, "--M", "1", "--q", "1"], "not both"),
     (["no_such.toml"], "no_such.toml"),
 ]:

@@ -64,6 +64,8 @@ ROOMS = {
                  f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/boxes": ("What holds for every value in a box?",
                   f"{CORE} {TOOLBOX} desktop dense scenes solve cone hold"),
+    "src/design": ("Which numbers let a push stick for the widest box?",
+                   f"{CORE} {TOOLBOX} desktop dense scenes solve cone boxes"),
     "src/move": ("Where does the object end up in the grip?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve picture"),
     "src/plan": ("Which pushes take the object to another place in the grip?",

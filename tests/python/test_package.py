@@ -94,6 +94,14 @@ class SameJson(unittest.TestCase):
         self.assertTrue(hold and repr(hold).startswith("Held with 1.4 times the grip it needs"))
         self.assertEqual(hold.weakest.moment["first"], ["left", "right"])
 
+    def test_of_designs(self):
+        path = "docs/guide/narrow_wall.toml"
+        design = lcpush.read(path).design({"wall.center[1]": (-0.012, 0.012)}, push=(0.01, 0, 0))
+        words = ("design", path, "--choose", "wall.center[1]=-0.012:0.012", "--push", "0.01 0 0")
+        self.assertEqual(design.json, printed(*words, "--json"))
+        self.assertEqual(design._repr_html_(), printed(*words, "--format", "svg"))
+        self.assertTrue(design and repr(design).startswith("With wall.center[1] = -0.005336"))
+
     def test_of_cones_and_plans(self):
         path = "docs/guide/square.toml"
         scene = lcpush.read(path)

@@ -80,17 +80,6 @@ inline std::string path_of(const PivotTrace& trace) {
   return text;
 }
 
-/// "w1 = 5 + 2 z1 - 2 z2 + 1 w2; ..": the table, row by row.
-inline std::string rows_of(const PivotTrace& trace, const Tableau& table) {
-  std::string text;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    text += (i > 0 ? "; " : "") + name(trace, table.rows[i]) + " = " + value_text(table.values[i]);
-    for (std::size_t j = 0; j < table.columns.size(); ++j)
-      text += " + " + table.entry(i, j).fraction + " " + name(trace, table.columns[j]);
-  }
-  return text;
-}
-
 inline Rational product(const ExactProblem& problem, Index row, const Numbers& z) {
   Rational sum(0);
   for (Index j = 0; j < problem.M.cols; ++j)

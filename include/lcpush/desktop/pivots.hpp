@@ -1,5 +1,5 @@
 // A run of Lemke's method as data: every pivot with what it means. Written by `lcpush pivots` as
-// text, JSON, LaTeX or the explorer's page.
+// text, JSON, LaTeX, SVG or the explorer's page.
 #pragma once
 
 #include <functional>
@@ -189,6 +189,8 @@ std::string pivots_text(const PivotTrace& trace, Telling telling);
 std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus = true);
 /// An array a basis, its pivot element boxed, for LaTeX with amsmath.
 std::string pivots_latex(const PivotTrace& trace);
+/// A picture: two pairs among their complementary cones, others by z0 after each pivot.
+std::string pivots_svg(const PivotTrace& trace);
 /// The explorer: one page that needs no network.
 std::string pivots_html(const PivotTrace& trace, const Push* push);
 /// One tableau with its ratios, as in pivots_text.

@@ -48,12 +48,14 @@
       // Space and the arrows keep their own meaning on a button and in a box that scrolls.
       const own = target.closest('button, summary, a');
       const scrolls = target.closest('[tabindex]');
+      const row = /^[1-9]$/.test(event.key) && Number(event.key) - 1;
       const actions = {
+        g: () => app.guess_first(!app.guesses.on), l: () => app.toggle_room(),
         ArrowRight: () => choose(app.frame + 1), ArrowLeft: () => choose(app.frame - 1),
         Home: () => choose(0), End: () => choose(app.path.last), ' ': toggle,
       };
-      const action = actions[event.key];
-      if (!action || scrolls || (own && event.key === ' ')) return;
+      const action = row !== false ? () => app.tableau.try_row(row) : actions[event.key];
+      if (!action || (scrolls && event.key.length > 1) || (own && event.key === ' ')) return;
       event.preventDefault();
       action();
     });

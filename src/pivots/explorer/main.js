@@ -9,7 +9,8 @@
       this.recorded = explorer.Path.recorded(this.problem);
       this.path = this.recorded;
       this.frame = 0;
-      this.as_fractions = this.problem.exact && !trace.prefers_decimals;
+      this.as_fractions = this.problem.exact && !(trace.prefers_decimals && trace.scene);
+      this.guesses = { on: false, known: new Set(), tried: new Set(), right: 0 };
       this.branch_rule = 'lexicographic';
       this.show_large = true;
       this.covers = new Map();
@@ -26,9 +27,6 @@
       const title = trace.title || 'Lemke\u2019s method, pivot by pivot';
       document.title = `${title} \u2013 lcpush`;
       by_id('title').textContent = title;
-      by_id('summary').textContent = [words.many(problem.size, 'unknown'),
-        words.many(trace.pivots.length, 'pivot'), words.status_words[trace.status] || trace.status,
-        `in ${trace.arithmetic}`, words.rule_words[trace.rule] || trace.rule].join(' \u00b7 ');
       const notes = trace.notes || [];
       by_id('notes').hidden = notes.length === 0;
       by_id('notes').append(...notes.map((note) => drawing.elements.h('li', {}, note)));
@@ -38,6 +36,8 @@
         this.as_fractions = event.target.checked;
         this.update(false);
       });
+      by_id('guess').addEventListener('change', (event) => this.guess_first(event.target.checked));
+      by_id('room').addEventListener('click', () => this.toggle_room());
       if (!this.read_address()) this.update(true);
       let width = window.innerWidth;
       window.addEventListener('resize', () => {
@@ -114,13 +114,52 @@
       by_id('forward').focus();
     }
 
+    /// Is the row that leaves still to be guessed?
+    asks() {
+      return this.guesses.on && !this.path.branch && this.path.step(this.frame) !== null
+        && !this.guesses.known.has(this.frame);
+    }
+
+    guess_first(on, frame = this.frame) {
+      Object.assign(this.guesses, { on, known: new Set(), tried: new Set(), right: 0 });
+      by_id('guess').checked = on;
+      this.go(frame);
+    }
+
+    /// A row is right if it leaves, or ties with the one that does. Only a first guess counts.
+    guess(row, is_right) {
+      const { known, tried } = this.guesses;
+      if (is_right && !tried.has(this.frame)) this.guesses.right += 1;
+      tried.add(this.frame);
+      if (!is_right) return;
+      known.add(this.frame);
+      this.update(true);
+    }
+
+    /// Large letters, and the full screen where a page may have it.
+    toggle_room() {
+      const on = document.body.classList.toggle('room');
+      by_id('room').setAttribute('aria-pressed', String(on));
+      if (on) document.documentElement.requestFullscreen?.().catch(() => {});
+      else if (document.fullscreenElement) document.exitFullscreen();
+      this.update(true);
+    }
+
+    summary() {
+      const { trace } = this.problem;
+      const shown = this.problem.exact && !this.as_fractions ? ', shown as decimals' : '';
+      return [words.many(this.problem.size, 'unknown'), words.many(trace.pivots.length, 'pivot'),
+        words.status_words[trace.status] || trace.status, `in ${trace.arithmetic}${shown}`,
+        words.rule_words[trace.rule] || trace.rule].join(' \u00b7 ');
+    }
+
     /// A value by level for people, as they want to see it.
     text(levels) { return number_text.value(this.problem, levels, this.as_fractions); }
 
     /// #step=7 links to a step of the recorded path.
     write_address() {
       if (this.path.branch) return;
-      this.address = `#step=${this.frame}`;
+      this.address = `#step=${this.frame}${this.guesses.on ? '&guess' : ''}`;
       try {
         history.replaceState(null, '', this.address);
       } catch {
@@ -128,16 +167,22 @@
       }
     }
 
-    read_address() {
-      const step = /[#&]step=(\d+)/.exec(location.hash);
-      if (!step || location.hash === this.address) return false;
+    read_address() { return location.hash !== this.address && this.open_at(location.hash); }
+
+    /// As an address says; false if it says nothing.
+    open_at(address) {
+      const step = /[#&]step=(\d+)/.exec(address);
+      if (!step) return false;
       this.path = this.recorded;
       this.controls.stop();
-      this.go(Number(step[1]));
+      this.guess_first(address.includes('&guess'), Number(step[1]));
       return true;
     }
 
     update(changed) {
+      by_id('summary').textContent = this.summary();
+      const { on, tried, right } = this.guesses;
+      by_id('tally').textContent = on ? `${right} of ${tried.size} right at the first guess` : '';
       document.body.classList.toggle('on-branch', this.path.branch !== null);
       by_id('step').textContent = `Step ${this.frame} of ${this.path.last}`;
       explorer.view_sentence.update(this);

@@ -32,9 +32,13 @@
     const { path, frame, problem } = app;
     const { run } = path.frames[frame];
     const step = path.step(frame);
-    by_id('sentence').textContent = explorer.words.sentence(path, frame);
+    const asks = app.asks();
+    by_id('sentence').textContent = asks ? `${problem.names[step.entering]} enters. Which row leaves? Press its ratio.`
+      : explorer.words.sentence(path, frame);
     const moves = [];
-    if (step) {
+    if (asks) {
+      moves.push(...move(problem, 'Enters', step.entering, null));
+    } else if (step) {
       const row = path.dictionary(frame).rows.indexOf(step.leaving);
       const ratio = step.ratios && step.ratios[row];
       const to = ratio && app.text(ratio);
@@ -50,7 +54,7 @@
       moves.push(...move(problem, 'Enters', path.entering(frame), 'nothing blocks it'));
     }
     replace('moves', moves);
-    replace('choices', step ? tie_choices(app, step) : []);
+    replace('choices', step && !asks ? tie_choices(app, step) : []);
     const of_run = path.runs.length > 1 ? `Run ${run + 1} of ${path.runs.length}: ` : '';
     by_id('run').textContent = of_run + (path.runs[run].title || '');
     const banner = by_id('branch');

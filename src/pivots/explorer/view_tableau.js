@@ -17,18 +17,29 @@
   /// Names, values and ratios stay in sight where there is room for a column beside them.
   const fixed_values = () => !narrow() || app.problem.levels === 1;
 
+  const entry_text = (dictionary, r, c) => (dictionary.is_noise(r, c) ? '0'
+    : explorer.number_text.scalar(app.problem, dictionary.entry(r, c), app.as_fractions));
+
   function sizes() {
     const small = narrow();
-    const value = app.problem.levels === 2 ? 172 : small ? 74 : 100;
-    return { row: small || coarse() ? 46 : 34, head: small ? 62 : 112, value, ratio: value,
-      column: app.problem.exact ? 108 : 94 };
+    const room = document.body.classList.contains('room') ? 1.4 : 1;
+    const value = room * (app.problem.levels === 2 ? 172 : small ? 74 : 100);
+    const head = room * (small ? 62 : 112);
+    // Columns draw together, as far as their numbers let them, so that a tableau that nearly fits does.
+    const dictionary = app.path.dictionary(app.frame);
+    const free = (box.parentElement.clientWidth - 2 - head - 2 * value) / dictionary.width;
+    const widest = room * (app.problem.exact ? 108 : 94);
+    const least = dictionary.width > all_of_it ? widest : room * Math.max(70, 20 + 9 * Math.max(
+      ...dictionary.rows.flatMap((_, r) => dictionary.columns.map((__, c) => entry_text(dictionary, r, c).length))));
+    return { row: room * (small || coarse() ? 46 : 34), head, value, ratio: value,
+      column: Math.floor(Math.min(widest, Math.max(least, free))) };
   }
 
   /// The first and last index to draw of `count`, each `size` long.
   function range(count, scrolled, seen, size) {
     if (count <= all_of_it) return [0, count];
     const first = Math.max(0, Math.floor(scrolled / size) - beyond);
-    return [first, Math.min(count, Math.ceil((scrolled + seen) / size) + beyond)];
+    return [first, Math.max(first, Math.min(count, Math.ceil((scrolled + seen) / size) + beyond))];
   }
 
   function context() {
@@ -36,9 +47,10 @@
     const dictionary = path.dictionary(frame);
     const step = path.step(frame);
     const entering = path.entering(frame);
-    const tied = new Set(step ? step.ties : []);
-    return { dictionary, step, tied,
-      row: step ? dictionary.rows.indexOf(step.leaving) : -1,
+    const asks = app.asks();
+    const tied = new Set(step && !asks ? step.ties : []);
+    return { dictionary, step, tied, asks,
+      row: step && !asks ? dictionary.rows.indexOf(step.leaving) : -1,
       column: entering === null ? -1 : dictionary.columns.indexOf(entering) };
   }
 
@@ -51,31 +63,36 @@
   }
 
   /// The row that leaves goes on, a tied one branches off; for any other it is said why not.
-  function try_row(now, r, is_tied) {
-    if (is_tied) app.branch(r);
-    else if (r === now.row) app.go(app.frame + 1);
-    else by_id('tried').textContent = explorer.words.why_not(app.path, app.frame, r,
-      app.as_fractions);
+  function try_row(now, r) {
+    const { leaving, ties } = now.step;
+    const variable = now.dictionary.rows[r];
+    const [leaves, is_tied] = [variable === leaving, ties.includes(variable)];
+    if (now.asks) app.guess(r, leaves || is_tied);
+    else if (is_tied && !leaves) { app.branch(r); return; }
+    else if (leaves) { app.go(app.frame + 1); return; }
+    const right = leaves ? 'Right.' : `Right: it ties with ${app.problem.names[leaving]}, which leaves.`;
+    by_id('tried').textContent = leaves || is_tied ? right
+      : explorer.words.why_not(app.path, app.frame, r, app.as_fractions,
+        !now.asks);
   }
 
   function ratio_cell(now, r) {
     const ratio = now.step && now.step.ratios ? now.step.ratios[r] : null;
-    const text = ratio === null ? '\u2013' : app.text(ratio);
+    const text = now.asks ? '?' : ratio === null ? '\u2013' : app.text(ratio);
     if (!now.step) return h('td', { class: 'ratio' }, text);
     const variable = now.dictionary.rows[r];
     const name_of_row = app.problem.names[variable];
     const is_tied = now.tied.has(variable) && r !== now.row;
-    const label = is_tied ? `What if ${name_of_row} leaves instead? Ratio ${text}`
+    const label = now.asks ? `Does ${name_of_row} leave?`
+      : is_tied ? `What if ${name_of_row} leaves instead? Ratio ${text}`
       : `Let ${name_of_row} leave? Ratio ${ratio === null ? 'none' : text}`;
     return h('td', { class: 'ratio' }, h('button', { type: 'button',
       class: is_tied ? 'what-if-cell' : 'try-cell', 'aria-label': label, title: label,
-      onclick: () => try_row(now, r, is_tied) }, text));
+      onclick: () => try_row(now, r) }, text));
   }
 
   function entry_cell(now, r, c) {
-    const { dictionary } = now;
-    const text = dictionary.is_noise(r, c) ? '0'
-      : explorer.number_text.scalar(app.problem, dictionary.entry(r, c), app.as_fractions);
+    const text = entry_text(now.dictionary, r, c);
     const classes = [c === now.column && 'entering', c === now.column && r === now.row && 'pivot',
       text === '0' && 'zero'].filter(Boolean).join(' ');
     return h('td', { class: classes || null, 'data-row': r, 'data-column': c }, text);
@@ -128,12 +145,14 @@
     const body = h('tbody', {}, space(rows[0]),
       from_to(...rows).map((r) => body_row(now, r, columns)), space(dictionary.size - rows[1]));
     const total = widths.reduce((sum, x) => sum + x, 0);
+    const held = document.activeElement.closest?.('.ratio button') && document.activeElement.closest('tr').dataset.row;
     box.replaceChildren(h('table', { class: 'tableau', style: `width:${total}px`,
       'aria-rowcount': dictionary.size + 1, 'aria-colcount': dictionary.width + 3 },
     h('caption', { class: 'for-readers' }, 'Each row: basic variable = value + entries times the '
       + 'nonbasic variables of the columns.'),
     h('colgroup', {}, widths.map((width) => h('col', { style: `width:${width}px` }))),
     h('thead', {}, head), body));
+    if (held) box.querySelector(`tr[data-row="${held}"] .ratio button`)?.focus({ preventScroll: true });
     box.classList.toggle('fixed-values', fixed_values());
     box.style.setProperty('--head', `${size.head}px`);
     box.style.setProperty('--value', `${size.value}px`);
@@ -202,7 +221,10 @@
       if (cell) show_cell(Number(cell.dataset.row),
         cell.dataset.column === undefined ? null : Number(cell.dataset.column));
     });
-    return { update };
+    return { update, try_row: (r) => {
+      const now = context();
+      if (now.step && r < now.dictionary.size) try_row(now, r);
+    } };
   }
 
   explorer.view_tableau = { create };

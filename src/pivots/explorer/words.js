@@ -61,13 +61,13 @@
       : `As ${grows}, ${ends}.`;
   }
 
-  /// Why the row does not leave, which neither leaves nor ties.
-  function why_not(path, frame_number, row, as_fraction = true) {
+  /// Why the row does not leave, which neither leaves nor ties; whether it `tells` which one does.
+  function why_not(path, frame_number, row, as_fraction = true, tells = true) {
     const { problem } = path;
     const { entering, leaving, ratios } = path.step(frame_number);
     const { rows } = path.dictionary(frame_number);
     const name = (variable) => problem.names[variable];
-    const [tried, other] = [name(rows[row]), name(leaving)];
+    const [tried, other] = [name(rows[row]), tells ? name(leaving) : 'another row'];
     const at = (r) => explorer.number_text.value(problem, ratios[r], as_fraction);
     const ratio = ratios && ratios[row];
     if (entering === problem.artificial)
@@ -76,8 +76,9 @@
           + 'negative.';
     if (!ratio)
       return `Not ${tried}: it does not fall as ${name(entering)} grows, so it never reaches 0.`;
-    return `Not ${tried}: it reaches 0 only at ${name(entering)} = ${at(row)}. There ${other}, which `
-      + `is 0 at ${at(rows.indexOf(leaving))}, would be negative.`;
+    const first = tells ? `, which is 0 at ${at(rows.indexOf(leaving))},` : '';
+    return `Not ${tried}: it reaches 0 only at ${name(entering)} = ${at(row)}. There ${other}${
+      first} would be negative.`;
   }
 
   /// "z3 enters and grows to 5/2. w2 falls to 0 first and leaves."

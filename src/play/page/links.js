@@ -1,5 +1,6 @@
 // Addresses that carry a scene (#scene=.., or plainly #text=..) or a typed problem (#lcp=.., or
-// plainly #problem=M|q, its spaces as %20), and files to keep.
+// plainly #problem=M|q, its spaces as %20; &step=3 opens it at that pivot, &guess asks first which
+// row leaves), and files to keep.
 (() => {
   const { by_id } = drawing.elements;
 
@@ -17,22 +18,23 @@
     return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
   }
 
-  /// {scene} or {lcp}: what the address carries; {broken} if it cannot be read, {} if nothing.
+  /// {scene}, or {lcp, at}: what the address carries; {broken} if it cannot be read, {} if nothing.
   async function carried() {
-    const [, kind, word] = /^#(text|scene|lcp|problem)=(.*)$/.exec(location.hash) || [];
+    const [, kind, word, at] = /^#(text|scene|lcp|problem)=(.*?)((?:&step=\d+|&guess)*)$/
+      .exec(location.hash) || [];
     const broken = 'The link is cut short or damaged: the page cannot show what it carried.';
     try {
       if (!kind) return {};
-      if (kind === 'problem') return { lcp: decodeURIComponent(word).replace('|', '\n') };
+      if (kind === 'problem') return { lcp: decodeURIComponent(word).replace('|', '\n'), at };
       const text = kind === 'text' ? decodeURIComponent(word) : await unpacked(word);
-      return text ? { [kind === 'lcp' ? 'lcp' : 'scene']: text } : { broken };
+      return text ? { [kind === 'lcp' ? 'lcp' : 'scene']: text, at } : { broken };
     } catch {
       return { broken };
     }
   }
 
-  async function copy(kind, text) {
-    const hash = `#${kind}=${await packed(text)}`;
+  async function copy(kind, text, at = '') {
+    const hash = `#${kind}=${await packed(text)}${at}`;
     try {
       history.replaceState(null, '', hash);
     } catch {

@@ -243,10 +243,10 @@
   (async () => {
     try {
       const module = await WebAssembly.compile(play.unpack(by_id('solver').textContent));
-      const { scene, lcp, broken } = await play.links.carried();
+      const { scene, lcp, at, broken } = await play.links.carried();
       if (!by_id('scene')) {
         if (broken) warn(broken);
-        await play.raw.start(module, lcp);
+        await play.raw.start(module, { lcp, at });
         return;
       }
       const given = document.createElement('textarea');

@@ -39,29 +39,34 @@
     by_id('q').value = q || '';
   }
 
+  /// The explorer in the frame, once it stands there.
+  const explorer_shown = () => by_id('frame').contentWindow.lcpush?.app;
+
   /// The page of a typed problem, which begins with `linked` or with the first example.
-  function start(module, linked) {
+  function start(module, { lcp: linked, at: linked_at }) {
     const background = new play.Background(module);
-    const explore = async () => {
+    const explore = async (at = '') => {
       say('tracing the pivots ..');
+      by_id('frame').addEventListener('load', () => explorer_shown()?.open_at(at), { once: true });
       say(await play.explore(background, 'lcp', problem()));
     };
-    const take = (text) => {
+    const take = (text, at) => {
       show(text);
-      return explore();
+      return explore(at);
     };
     by_id('examples').append(...Object.entries(examples).map(([name, [, , words]]) =>
       h('option', { value: name }, words)));
     const example = () => take(examples[by_id('examples').value].slice(0, 2).join('\n'));
     by_id('examples').addEventListener('change', example);
-    by_id('raw-pivots').addEventListener('click', explore);
+    by_id('raw-pivots').addEventListener('click', () => explore());
     by_id('raw-link').addEventListener('click', async () =>
-      say(await play.links.copy('lcp', problem())));
+      say(await play.links.copy('lcp', problem(), explorer_shown()?.address.replace('#', '&'))));
     window.addEventListener('hashchange', async () => {
-      const { lcp } = await play.links.carried();
-      if (lcp && lcp !== problem()) take(lcp);
+      const { lcp, at } = await play.links.carried();
+      if (lcp && lcp !== problem()) take(lcp, at);
+      else if (lcp) explorer_shown()?.open_at(at);
     });
-    return linked ? take(linked) : example();
+    return linked ? take(linked, linked_at) : example();
   }
 
   play.raw = { start, examples };

@@ -38,7 +38,8 @@ class Record(Mapping[str, Any]):
         if name not in data:
             raise AttributeError(f"{type(self).__name__} has no {name!r}; it has "
                                  + ", ".join(sorted(data)))
-        return array(data[name]) if name in self._arrays else _told(data[name])
+        is_array = name in self._arrays and not isinstance(data[name], dict)
+        return array(data[name]) if is_array else _told(data[name])
 
     def __getitem__(self, key: str) -> Any:
         return self._data[key]

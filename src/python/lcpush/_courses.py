@@ -135,6 +135,16 @@ class Hold(Answer):
         return str(self._data["answer"])
 
 
+class Design(Answer):
+    """What to choose, of `Scene.design()`: `choice`, `margin`, `binds`, `alone`, and as `scene` the text of the scene
+    with it. True where the push sticks."""
+
+    _picture = "design"
+
+    def __bool__(self) -> bool:
+        return bool(self._data["margin"])
+
+
 class Plan(Answer):
     """Pushes that take the object to another place, of `Scene.plan()`: `found`, `pushes`, `cost`,
     `replay`, and as `scene` the text of the scene with its strokes. True where it was found."""

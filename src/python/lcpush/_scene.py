@@ -10,7 +10,7 @@ from . import _toml
 from ._answers import (Answer, Breaking, Certificate, MotionVerdict, Pivots, Record, Solution, Spread,
                        Verdict)
 from ._arrays import as_json, plain
-from ._courses import Cone, Hold, Motion, Plan, Sweep, values_of, variation
+from ._courses import Cone, Design, Hold, Motion, Plan, Sweep, values_of, variation
 from ._errors import InputError, NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
 
@@ -229,6 +229,23 @@ class Scene:
         judged = None if twist is None else plain(twist, "twist")
         return self._answer(Cone, "cone", {"twist": judged, "pusher": pusher,
                                      "tolerance": tolerance or None}, False, None)
+
+    def design(self, choose: Union[Mapping[str, Tuple[float, float]], Sequence[str]], *,
+               push: Optional[Sequence[float]] = None, pusher: Optional[str] = None,
+               tolerance: Union[str, Sequence[str]] = ()) -> Design:
+        """The numbers in these ranges with which the push sticks with the largest margin.
+
+        Args:
+            choose: {"wall.shift[1]": (-0.005, 0.005)}, or as the tool takes it
+            push: shape (3,), the motion that is to stick, as the twist of `cone`; the scene's own
+            pusher: whose, among several
+            tolerance: as of `cone`; without it all frictions and grips, and the mass
+        """
+        choices = ([f"{path}={start!r}:{stop!r}" for path, (start, stop) in choose.items()]
+                   if isinstance(choose, Mapping) else choose)
+        return self._answer(Design, "design", {"choose": choices, "pusher": pusher,
+                                               "push": None if push is None else plain(push, "push"),
+                                               "tolerance": tolerance or None}, False, None)
 
     def plan(self, to: Sequence[float], *, seconds: Optional[float] = None,
              tolerance: Union[str, Sequence[str]] = (),

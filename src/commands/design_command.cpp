@@ -1,0 +1,84 @@
+// design: the numbers of a scene with which a push sticks for the widest box.
+#include "commands/listener.hpp"
+#include "commands/values.hpp"
+#include "lcpush/desktop/design.hpp"
+#include "scenes/mirror.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::commands {
+namespace {
+
+/// The scene in which the pusher moves as --push says.
+VariedScene with_push(const Values& values, const VariedScene& scene) {
+  const auto push = values.numbers("push", 3, "vx vy wz (m/s and rad/s, of the centre of mass)");
+  if (!push) return scene;
+  const SceneFile file = scene.as_given();
+  const Index pusher = values.pusher(file);
+  const bool is_fast = file.strokes[static_cast<std::size_t>(pusher)].is_velocity;
+  const std::string motion = is_fast ? "velocity" : "acceleration";
+  const Vector3<double>& center = file.object.center_of_mass;
+  // About the scene's origin, where it may not say otherwise.
+  const double turn = (*push)[2];
+  const double own[] = {
+      (*push)[0] + turn * center.y(), (*push)[1] - turn * center.x(), 0, 0, 0, turn};
+  VariedScene pushed = scene;
+  for (int i = 0; i < 6; ++i)
+    pushed = pushed.with(pushed.find(file.body_name(pusher) + (i < 3 ? "." : ".angular_") + motion +
+                                     "[" + std::to_string(i % 3) + "]"),
+                         own[i]);
+  return pushed;
+}
+
+Result run_design(const Values& values, Listener& listener) {
+  const std::string format = values.format();
+  if (!values.has("choose"))
+    values.refuse("choose", values.usage("choose") + " says what may be chosen, such as " +
+                                values.label("choose") + " wall.shift[1]=-0.005:0.005");
+  VariedScene scene = values.varied_scene(Needs::scene);
+  if (const SceneFile file = scene.as_given(); !file.planar && file.is_round && is_plane(file)) {
+    listener.announce("The scene is its own image across z: taken as planar = true.");
+    scene.set_planar();
+  }
+  scene = with_push(values, values.with_only_pusher(scene, listener));
+  const DesignReport report =
+      find_design(scene, values.texts("choose"), values.texts("tolerance"), format == "svg");
+  SceneFile file = scene.as_given();
+  return {report.sticks() && !(report.asks_ranges && report.chosen.verdict != BoxVerdict::always),
+          format == "json"   ? design_json(report)
+          : format == "svg"  ? design_svg(file, report)
+          : format == "toml" ? report.scene
+                             : design_text(file, report)};
+}
+
+} // namespace
+
+Command design_command() {
+  return {
+      "design",
+      "SCENE.toml --choose PATH=FROM:TO [OPTIONS]",
+      "numbers of the scene with which a push sticks most surely",
+      "Looks for the places, sizes, frictions and grips in these ranges with which the scene's\n"
+      "push, or that of --push, sticks while the numbers that you do not know are as far off as\n"
+      "possible: all frictions, grips and the mass, or those of --tolerance. Says what makes it\n"
+      "slip beyond, and what each choice gives alone; the others are as in the file then.\n\n"
+      "Examples:\n"
+      "  lcpush design docs/guide/narrow_wall.toml \\\n"
+      "    --choose \"wall.center[1]=-0.012:0.012\"\n"
+      "  lcpush design docs/guide/narrow_wall.toml --choose wall.width=0.004:0.02 \\\n"
+      "    --choose \"*.grip_force=10:40\" --tolerance \"*.friction=10%\" --format toml\n",
+      with_scene_options(
+          {{"choose", "PATH=FROM:TO",
+            "what may be chosen: a number, *.NUMBER as one, BODY.width or center[1] of a line",
+            true},
+           {"push", "V", "the motion that is to stick, \"vx vy wz\" at the centre of mass"},
+           {"pusher", "NAME", "which one, among several; the others are left out"},
+           pressure_option,
+           facets_option,
+           tolerance_option,
+           format_option("text (default), json, svg or toml (the scene as chosen); --json for "
+                         "short")}),
+      run_design,
+      {"text", "json", "svg", "toml"}};
+}
+
+} // namespace lcpush::commands

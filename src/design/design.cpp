@@ -1,0 +1,297 @@
+// [T.21] The design with the widest box: cells of choices are cut where they may hold a better one.
+#include "lcpush/desktop/design.hpp"
+
+#include "design/design_model.hpp"
+#include "design/settings.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "scenes/parameter_words.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <queue>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+class Designer {
+public:
+  explicit Designer(const DesignSpace& space)
+      : space_(space), linear_(space.choices().size(), false) {
+    const DesignModel nothing_open(space, linear_, space.given());
+    if (!nothing_open.obstacle().empty())
+      throw InputError("no design is known: " + nothing_open.obstacle());
+    for (std::size_t j = 0; j < linear_.size(); ++j) {
+      if (space.choices()[j].parameters[0].kind != Parameter::Kind::number) continue;
+      linear_[j] = true;
+      if (!DesignModel(space, linear_, space.given()).obstacle().empty()) linear_[j] = false;
+    }
+  }
+
+  struct Best {
+    Values values;
+    double margin = -1;                                     ///< < 0: it slips
+    double room = -std::numeric_limits<double>::infinity(); ///< of one that slips
+  };
+
+  /// Of these choices, the others as the file has them. `share` of the work.
+  Best find(const std::vector<bool>& chosen, double share) {
+    best_ = {};
+    is_held_back_ = false;
+    work_ = share * design_settings.work;
+    open_ = rest_ = chosen;
+    for (std::size_t j = 0; j < chosen.size(); ++j) {
+      open_[j] = chosen[j] && linear_[j];
+      rest_[j] = chosen[j] && !linear_[j];
+    }
+    Values at = space_.given();
+    for (std::size_t j = 0; j < chosen.size(); ++j)
+      if (chosen[j]) at[j] = std::clamp(at[j], choice(j).from, choice(j).to);
+    best_.values = at;
+    search_at(at);
+    search_grid();
+    settle(chosen);
+    return best_;
+  }
+
+  /// The margin over one choice, and where another condition binds.
+  void draw(const Values& values, std::size_t j, DesignReport::Choice& into) {
+    open_.assign(linear_.size(), false);
+    open_[j] = linear_[j];
+    Values at = values;
+    const auto look = [&](double value) {
+      at[j] = value;
+      const DesignModel* const model = possible_model_at(at);
+      if (model == nullptr) return std::pair(0.0, std::string());
+      const double margin = model->margin(at);
+      return std::pair(margin, model->first_beyond(at, margin + design_settings.beyond));
+    };
+    std::pair<double, std::string> last;
+    for (int step = 0; step <= design_settings.curve_steps; ++step) {
+      const double width = (into.to - into.from) / design_settings.curve_steps;
+      double from = into.from + (step - 1) * width, to = from + width;
+      const auto now = look(to);
+      const auto before = std::exchange(last, now);
+      const bool is_break =
+          step > 0 && now.second != before.second && std::min(now.first, before.first) > 0;
+      const std::pair end(to, now.first);
+      for (int k = 0; is_break && k < design_settings.break_halvings; ++k) {
+        const double middle = (from + to) / 2;
+        (look(middle).second == before.second ? from : to) = middle;
+      }
+      if (is_break) {
+        into.curve.emplace_back(to, look(to).first);
+        into.breaks.emplace_back(to, now.second);
+      }
+      into.curve.push_back(end);
+    }
+  }
+
+private:
+  const DesignSpace::Choice& choice(std::size_t j) const { return space_.choices()[j]; }
+
+  /// What a better design has at least.
+  double wanted() const {
+    return best_.margin < 0
+               ? 0
+               : best_.margin * (1 + design_settings.better) + design_settings.least_margin;
+  }
+
+  /// Choices in which the conditions are not linear each have a model of their own.
+  const DesignModel& model_at(const Values& at) {
+    Values fixed = at;
+    for (std::size_t j = 0; j < fixed.size(); ++j)
+      if (open_[j]) fixed[j] = choice(j).given;
+    if (model_ == nullptr || model_->at() != fixed || model_open_ != open_) {
+      model_ = std::make_unique<DesignModel>(space_, open_, fixed);
+      model_open_ = open_;
+      work_ -= design_settings.model_work;
+    }
+    return *model_;
+  }
+
+  /// None where that is no scene, or none of which it is known whether it sticks.
+  const DesignModel* possible_model_at(const Values& at) {
+    try {
+      const DesignModel& model = model_at(at);
+      return model.obstacle().empty() ? &model : nullptr;
+    } catch (const InputError&) {
+      return nullptr;
+    }
+  }
+
+  double try_one(const DesignModel& model, const Values& values) {
+    work_ -= static_cast<double>(model.cost());
+    double room = model.room(values, wanted()).least;
+    if (room >= 0 || is_held_back_) {
+      const double held = model.hold_room(values, wanted());
+      is_held_back_ = is_held_back_ || held < 0;
+      work_ -= design_settings.hold_work;
+      room = std::min(room, held);
+    }
+    if (room >= 0) {
+      work_ -= design_settings.margin_work * static_cast<double>(model.cost());
+      if (const double margin = model.margin(values); margin > best_.margin)
+        best_ = {values, margin, room};
+    } else if (best_.margin < 0 && room > best_.room) {
+      best_ = {values, -1, room};
+    }
+    return room;
+  }
+
+  struct Cell {
+    Values low, high;
+    double room; ///< of its middle
+    bool operator<(const Cell& other) const { return room < other.room; }
+  };
+
+  /// Unless nothing better is in it.
+  void add(const DesignModel& model, Cell cell, std::priority_queue<Cell>& cells) {
+    work_ -= 2 * static_cast<double>(model.cost());
+    if (!model.narrow(cell.low, cell.high, wanted())) return;
+    if (is_held_back_ && !model.chooses_load() && model.hold_room(cell.high, wanted()) < 0) return;
+    Values middle = cell.low;
+    for (std::size_t j = 0; j < middle.size(); ++j) middle[j] = (cell.low[j] + cell.high[j]) / 2;
+    cell.room = try_one(model, middle);
+    cells.push(std::move(cell));
+  }
+
+  /// Branch and bound over the choices in which the conditions are linear.
+  void search_at(const Values& at) {
+    const DesignModel* const found = possible_model_at(at);
+    if (found == nullptr) return;
+    const DesignModel& model = *found;
+    try_one(model, at);
+    Cell all{at, at, 0};
+    for (std::size_t j = 0; j < at.size(); ++j)
+      if (open_[j] && model.depends_on(j)) {
+        all.low[j] = choice(j).from;
+        all.high[j] = choice(j).to;
+      }
+    std::priority_queue<Cell> cells;
+    add(model, std::move(all), cells);
+    while (!cells.empty() && work_ > 0 && wanted() < 1) {
+      Cell half = cells.top();
+      cells.pop();
+      std::size_t widest = 0;
+      const auto width = [&](std::size_t j) {
+        return (half.high[j] - half.low[j]) / (choice(j).to - choice(j).from);
+      };
+      for (std::size_t j = 1; j < at.size(); ++j)
+        if (width(j) > width(widest)) widest = j;
+      if (width(widest) < design_settings.finest) continue;
+      Cell other = half;
+      half.high[widest] = other.low[widest] = (half.low[widest] + half.high[widest]) / 2;
+      add(model, std::move(half), cells);
+      add(model, std::move(other), cells);
+    }
+  }
+
+  /// The others on a grid, and then around the best one in ever smaller steps.
+  void search_grid() {
+    std::vector<std::size_t> which;
+    for (std::size_t j = 0; j < rest_.size(); ++j)
+      if (rest_[j]) which.push_back(j);
+    if (which.empty()) return;
+    const int count = design_settings.grid[std::min<std::size_t>(which.size(), 3) - 1];
+    const auto each = [&](int places, const auto& visit) { // every list of so many places
+      std::vector<int> at(which.size(), 0);
+      for (std::size_t i = 0; i < at.size();) {
+        visit(at);
+        for (i = 0; i < at.size() && ++at[i] == places; ++i) at[i] = 0;
+      }
+    };
+    each(count, [&](const std::vector<int>& place) {
+      Values at = best_.values;
+      for (std::size_t i = 0; i < which.size(); ++i)
+        at[which[i]] = choice(which[i]).from +
+                       place[i] * (choice(which[i]).to - choice(which[i]).from) / (count - 1);
+      search_at(at);
+    });
+    double step = 1.0 / (count - 1);
+    for (int k = 0; k < design_settings.halvings && work_ > 0; step /= 2, ++k)
+      for (bool is_better = true; is_better && work_ > 0;) {
+        const Best before = best_;
+        each(3, [&](const std::vector<int>& place) {
+          Values at = before.values;
+          for (std::size_t i = 0; i < which.size(); ++i) {
+            const DesignSpace::Choice& c = choice(which[i]);
+            at[which[i]] =
+                std::clamp(at[which[i]] + (place[i] - 1) * step * (c.to - c.from), c.from, c.to);
+          }
+          if (at != before.values && work_ > 0) search_at(at);
+        });
+        is_better = best_.margin > before.margin || (best_.margin < 0 && best_.room > before.room);
+      }
+  }
+
+  /// What makes no difference stays as it is, or goes to an end.
+  void settle(const std::vector<bool>& chosen) {
+    for (std::size_t k = 0; k < 2 * chosen.size() && best_.margin > 0; ++k) {
+      const std::size_t j = k % chosen.size(); // twice: one may wait for another
+      for (const double end : {choice(j).given, choice(j).from, choice(j).to}) {
+        if (!chosen[j] || end < choice(j).from || end > choice(j).to) continue;
+        Values at = best_.values;
+        at[j] = end;
+        const DesignModel* const model = possible_model_at(at);
+        const double margin = model != nullptr ? model->margin(at) : 0;
+        if (margin < best_.margin * (1 - design_settings.better)) continue;
+        best_ = {at, margin, 0};
+        break;
+      }
+    }
+  }
+
+  const DesignSpace& space_;
+  std::vector<bool> linear_, open_, rest_, model_open_;
+  std::unique_ptr<DesignModel> model_;
+  Best best_;
+  double work_ = 0;
+  bool is_held_back_ = false; ///< something better would stick, if the grip held the load
+};
+
+std::string binding_words(const DesignSpace& space, const Values& values, const BoxAnswer& there) {
+  if (!there.margin || there.is_indifferent) return there.reason;
+  const double beyond = *there.margin * (1 + design_settings.beyond) + design_settings.beyond;
+  return beyond < 1 ? judge_push(space.box_at(values, beyond)).reason : "";
+}
+
+} // namespace
+
+DesignReport find_design(const VariedScene& scene, const std::vector<std::string>& choices,
+                         const std::vector<std::string>& tolerances, bool with_curves) {
+  const DesignSpace space(scene, choices, tolerances);
+  DesignReport report;
+  report.given = judge_push(space.box_at(space.given()));
+  report.asks_ranges = space.asks_ranges();
+  Designer designer(space);
+  const std::size_t count = space.choices().size();
+  const std::vector<bool> all(count, true);
+  const Designer::Best best = designer.find(all, 0.5);
+  report.chosen = judge_push(space.box_at(best.values));
+  report.binds = binding_words(space, best.values, report.chosen);
+  report.scene = space.scene_at(best.values).text_at({}, {});
+  for (std::size_t j = 0; j < count; ++j) {
+    const DesignSpace::Choice& choice = space.choices()[j];
+    std::vector<bool> one(count, false);
+    one[j] = true;
+    const Designer::Best alone =
+        count == 1 ? best : designer.find(one, 0.5 / static_cast<double>(count));
+    const Parameter& first = choice.parameters[0];
+    report.choices.push_back({choice.path,
+                              choice.slopes.empty() ? parameter_label(first) : choice.path + ", m",
+                              choice.from,
+                              choice.to,
+                              choice.given,
+                              best.values[j],
+                              alone.values[j],
+                              judge_push(space.box_at(alone.values)).margin,
+                              {},
+                              {}});
+    if (with_curves) designer.draw(best.values, j, report.choices.back());
+  }
+  return report;
+}
+
+} // namespace lcpush::desktop

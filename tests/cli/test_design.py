@@ -1,0 +1,173 @@
+"""lcpush design: the choice with the widest margin, against closed forms, random designs and replays. [T.21]
+
+    test_design.py TOOL ROOT [--all]      with --all 50 scenes of 2,000 random designs and 1,000 replays"""
+import itertools
+import json
+import random
+import sys
+import xml.etree.ElementTree as ElementTree
+
+from tool import SCENES, SOURCE, ToolTest, json_of, main, run
+
+from test_tolerance import ALL, Push, slide
+
+DEEP = "--all" in sys.argv
+NARROW, TIPS = SOURCE / "docs/guide/narrow_wall.toml", SOURCE / "docs/guide/fingertips.toml"
+RANGES = {"wall.shift[0]": (-0.01, 0.01), "wall.shift[1]": (-0.01, 0.01), "wall.friction": (0.1, 0.8), "*.grip_force": (5, 60),
+          "left.friction": (0.1, 0.9)}
+
+
+def design(scene, *choices, words=()):
+    return json_of("design", scene, *(word for one in choices for word in ("--choose", one)), *words)
+
+
+def closed_form(mu_wall, mu, force, mass):
+    target, low, high = 2 * mu_wall * mu * force / (mass * 9.81), 0, 1
+    for _ in range(60):
+        e = (low + high) / 2
+        low, high = (e, high) if (1 + e) < target * (1 - e) ** 3 else (low, e)
+    return low
+
+
+class Design(ToolTest):
+    def test_straight_slides_have_the_closed_form(self):
+        rng = random.Random(2)
+        for k in range(5):
+            mu, most, force, mass = (round(rng.uniform(*ends), 3) for ends in ((0.3, 0.9), (0.3, 0.9), (20, 40), (0.1, 0.3)))
+            scene = self.file("s.toml", slide(0.2, mu, 18, mass))
+            answer = design(scene, f"wall.friction=0.1:{most}", f"*.grip_force=5:{force}", "wall.shift[1]=-0.01:0.01")
+            self.assertEqual(answer["choice"], {"wall.friction": most, "*.grip_force": force, "wall.shift[1]": 0})
+            self.assertAlmostEqual(answer["margin"], closed_form(most, mu, force, mass), delta=1e-6)
+            self.assertEqual(answer["binds"], "the box slips over wall along -y")
+            alone = [closed_form(most, mu, 18, mass), closed_form(0.2, mu, force, mass), closed_form(0.2, mu, 18, mass)]
+            for one, margin in zip(answer["alone"], alone):
+                self.assertAlmostEqual(one["margin"], margin, delta=1e-6)
+        wide = design(SCENES / "straight_slide.toml", "wall.friction=0.1:0.3")  # taken as planar
+        self.assertAlmostEqual(wide["margin"], 0.2566, delta=5e-5)
+        self.assertIn("planar = true", wide["scene"])
+
+    def test_the_robust_place_of_a_narrow_wall_is_not_the_nominal_one(self):
+        for path, ends, best in (("wall.center[1]", (-0.012, 0.012), -0.00534), ("wall.shift[1]", (-0.005, 0.003), -0.00044)):
+            answer = design(NARROW, "{}={}:{}".format(path, *ends))
+            self.assertAlmostEqual(answer["choice"][path], best, delta=1e-5)
+            self.assertAlmostEqual(answer["margin"], 0.1306, delta=5e-5)
+            chosen = json_of("cone", self.file("c.toml", answer["scene"]), *ALL)
+            self.assertAlmostEqual(chosen["margin"], answer["margin"], delta=1e-7)
+        self.assertAlmostEqual(json_of("cone", NARROW, *ALL)["margin"], 0.1112, delta=5e-5)
+        both = design(NARROW, "wall.ends[0][1]=-0.012:0", "wall.ends[1][1]=-0.006:0.006")
+        self.assertAlmostEqual(both["margin"], 0.2566, delta=5e-5)  # wide enough: friction alone
+        width = design(NARROW, "wall.center[1]=-0.01:0.01", "wall.width=0.002:0.004")
+        self.assertEqual(width["choice"]["wall.width"], 0.004)
+        self.assertAlmostEqual(width["margin"], 0.1306, delta=5e-5)
+
+    def test_random_designs_are_no_better(self):
+        found = 0
+        for seed in range(50 if DEEP else 8):
+            rng = random.Random(seed)
+            push = Push(rng)
+            scene, twist = self.file("push.toml", push.text()), " ".join(map(str, push.twist))
+            chosen = rng.sample(sorted(RANGES), rng.choice([1, 2, 3]))
+            answer = design(scene, *("{}={}:{}".format(path, *RANGES[path]) for path in chosen), words=("--push", twist))
+            margin = answer["margin"]
+            found += margin > 0
+            sure = (1 - margin * (1 + 1e-6) - 1e-7, 1 + margin * (1 + 1e-6) + 1e-7)
+            for _ in range(2000 if DEEP else 100):
+                values = {path: rng.uniform(*RANGES[path]) for path in chosen}
+                at, places = dict(push.middle), push.places
+                at.update({k: v for k, v in values.items() if k in at})
+                at["left.grip_force"] = values.get("*.grip_force", at["left.grip_force"])
+                by = [values.get(f"wall.shift[{axis}]", 0) for axis in (0, 1)]
+                push.places = [(x + by[0], y + by[1]) for x, y in places]
+                varied = [k for k in at if "gravity" not in k and "force[" not in k and k != "right.grip_force"]
+                slips = False
+                for factors in itertools.product(sure, repeat=len(varied)):
+                    corner = {**at, **{k: at[k] * f for k, f in zip(varied, factors)}}
+                    corner["right.grip_force"] = corner["left.grip_force"]
+                    slips = slips or push.sticks(corner) is not True
+                    if slips:
+                        break
+                push.places = places
+                if slips:
+                    continue
+                sets = [word for path, value in values.items() for word in ("--set", f"{path}={value}")]
+                other = json_of("cone", scene, "--twist", twist, *ALL, *sets)["margin"]  # the grip has to hold it, too
+                self.assertLessEqual(other or 0, margin * (1 + 1e-6) + 1e-7, (seed, values))
+        self.assertGreater(found, 3)
+
+    def test_replays_in_the_box_do_not_slip(self):
+        for scene, choices in ((NARROW, ("wall.center[1]=-0.012:0.012",)), (TIPS, ("*.radius=0.002:0.015",)),
+                               (NARROW, ("wall.width=0.003:0.006", "*.grip_force=10:30"))):
+            answer = design(scene, *choices)
+            chosen = self.file("chosen.toml", answer["scene"])
+            rng, e = random.Random(5), 0.999 * answer["margin"]
+            at = {}
+            for parameter in ("object.mass", "wall.friction", "left.friction", "right.friction", "left.grip_force"):
+                body, key = parameter.split(".")
+                table = answer["scene"].split("[object]" if body == "object" else f'name = "{body}"')[1]
+                at[parameter] = float(table.split(f"{key} = ")[1].split()[0])
+            for k in range(334 if DEEP else 5):
+                values = {p: v * rng.choice([1 - e, 1 + e, rng.uniform(1 - e, 1 + e)]) for p, v in at.items()}
+                values["*.grip_force"] = values.pop("left.grip_force")
+                sets = [word for p, v in values.items() for word in ("--set", f"{p}={v}")]
+                solved = json_of("solve", chosen, *sets)
+                self.assertEqual(solved["status"], "solved")
+                modes = {c["mode"] for c in solved["contacts"] if c["body"] == "wall"}
+                self.assertLessEqual(modes, {"stick"}, (scene, values))
+                if k > 0:
+                    continue
+                motion = json_of("move", chosen, "--time", "0.5", *sets)
+                place = motion["frames"][-1]["position"]
+                self.assertEqual(motion["end"], "time")
+                self.assertAlmostEqual(place[0], 0.005, delta=3e-5)
+                self.assertAlmostEqual(place[1], 0, delta=1e-4)
+
+    def test_choices_in_which_nothing_is_linear(self):
+        for path, low, high in (("*.radius", 0.002, 0.015), ("left.radius", 0.002, 0.015), ("wall.turn", -10, 10)):
+            answer = design(TIPS, f"{path}={low}:{high}")
+            for k in range(9):
+                other = json_of("cone", TIPS, "--set", f"{path}={low + k * (high - low) / 8}", *ALL)["margin"]
+                self.assertLessEqual(other or 0, answer["margin"] + 1e-6, (path, k))
+        self.assertGreater(answer["margin"], 0.37)
+
+    def test_what_is_said(self):
+        words = ("design", NARROW, "--choose", "wall.center[1]=-0.012:0.012", "--choose", "*.grip_force=10:40")
+        answer = json_of(*words)
+        self.assertEqual(list(answer), ["choice", "margin", "binds", "alone", "scene"])
+        self.assertEqual([list(one) for one in answer["alone"]], 2 * [["path", "value", "margin"]])
+        text = run(*words)
+        self.assertEqual(text.returncode, 0)
+        self.assertIn("\nWith wall.center[1] = ", text.stdout)
+        self.assertLessEqual(len(text.stdout.splitlines()), 20)
+        self.assertLessEqual(max(map(len, text.stdout.splitlines())), 80)
+        self.assertEqual(run(*words, "--format", "toml").stdout, answer["scene"])
+        self.assertEqual(ElementTree.fromstring(run(*words, "--format", "svg").stdout).tag, "{http://www.w3.org/2000/svg}svg")
+        asked = run(*words, "--tolerance", "*.friction=60%")
+        self.assertEqual(asked.returncode, 1)
+        self.assertIn("less than was asked", " ".join(asked.stdout.split()))
+        self.assertEqual(run(*words, "--tolerance", "*.friction=2%").returncode, 0)
+        turned = json_of("design", TIPS, "--push", "0.01 0.002 -0.1", "--choose", "wall.friction=0.3:0.5")
+        replay = json_of("cone", self.file("t.toml", turned["scene"]), "--twist", "0.01 0.002 -0.1", *ALL)
+        own = json_of("cone", self.file("t.toml", turned["scene"]), *ALL)
+        self.assertEqual((own["margin"], own["sticks"]), (replay["margin"], replay["sticks"]))
+        nothing = run("design", NARROW, "--choose", "wall.center[1]=0.002:0.01")
+        self.assertEqual(nothing.returncode, 1)
+        self.assertIn("Nothing sticks in these ranges; the nearest is wall.center[1] = 0.002, where the box turns about wall.1",
+                      " ".join(nothing.stdout.split()))
+
+    def test_mistakes(self):
+        for choice, said in (("wall.fricton=0.1:0.5", 'did you mean "wall.friction"'), ("wall.friction=0.5:0.1", "the smaller number comes first"),
+                             ("wall.friction=0.3:0.3", "nothing to choose"), ("wall.friction=0.3", "write PATH=FROM:TO"),
+                             ("wall.friction=a:b", '"a" is not a number'), ("wall.friction=-1:0.5", "friction must be >= 0"),
+                             ("wall.points=2:5", "it counts something"), ("left.grip_force=10:30", "both jaws share one grip_force")):
+            refused = run("design", NARROW, "--choose", choice)
+            self.assertEqual((refused.returncode, refused.stdout), (2, ""), choice)
+            self.assertIn(said, " ".join(refused.stderr.split()))
+        self.assertIn("says what may be chosen", run("design", NARROW).stderr)
+        twice = run("design", NARROW, "--choose", "wall.center[1]=0:1", "--choose", "wall.ends[0][1]=0:1")
+        self.assertIn("chosen twice", twice.stderr)
+        point = run("design", SCENES / "straight_slide_point.toml", "--choose", "wall.friction=0.1:0.5")
+        self.assertIn("no design is known: the pusher presses at one place", " ".join(point.stderr.split()))
+
+
+if __name__ == "__main__":
+    main()
