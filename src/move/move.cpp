@@ -35,7 +35,8 @@ std::vector<MotionEvent> lasting(const std::vector<MotionEvent>& events) {
 class Mover {
 public:
   Mover(const SceneFile& file, const MoveOptions& options)
-      : file_(file), options_(options), run_(file, MotionRun::Order::second),
+      : file_(file), options_(options),
+        run_(file, options.step ? MotionRun::Order::first : MotionRun::Order::second),
         size_(object_size(file)), time_(options.time.value_or(motion_time(file))) {
     report_.tolerance = options.tolerance.value_or(Settings::tolerance * size_);
     if (!options.step) report_.error = 0;
@@ -55,8 +56,7 @@ public:
     bool goes_on = true;
     for (Index k = 1; goes_on && k < options_.frames; ++k) {
       goes_on = go_to(time_ * static_cast<double>(k) / static_cast<double>(options_.frames - 1));
-      const MotionFrame& frame = middle_ ? *middle_ : last_;
-      if (frame.time > report_.frames.back().time) report_.frames.push_back(frame);
+      if (last_.time > report_.frames.back().time) report_.frames.push_back(last_);
     }
     if (goes_on) report_.end = MoveEnd::time;
     report_.events = lasting(report_.events);
@@ -70,7 +70,6 @@ private:
   /// False: the motion has ended before.
   bool go_to(double target) {
     const double rounding = Settings::same_time * time_;
-    middle_.reset();
     while (now() < target - rounding) {
       if (options_.progress) options_.progress(now() / time_, now());
       if (!begin_strokes()) return false;
@@ -85,10 +84,7 @@ private:
       // Equal steps up to there: a sliver that is left over would be an instant of its own, in
       // which gaps of second order have no time to close.
       const double h = room / std::max(1.0, std::ceil(room / next_ - Settings::whole_steps));
-      const bool is_last = h > room / 2;
-      const bool went = !options_.step ? controlled_step(h)
-                        : is_last      ? fixed_step(h)
-                                       : fixed_pair(h, target - rounding);
+      const bool went = options_.step ? fixed_step(h) : controlled_step(h);
       if (!went) return false;
       if (is_free()) {
         report_.end = MoveEnd::free;
@@ -145,7 +141,6 @@ private:
     }
     if (passes_distance()) return go_last(before, h);
     keep(taken(h));
-    run_.keep_to_strokes();
     return true;
   }
 
@@ -161,8 +156,8 @@ private:
     return {frame, phase_of(run_.describe(size_).kind, frame), step.penetration, step.residual};
   }
 
-  /// What two steps of h / 2 lead to, told from one of h: without its error of first order where
-  /// nothing happens meanwhile and what they lead to agrees better with the mean velocity.
+  /// What two steps of h / 2 lead to, beside one of h: without the error of first order that this
+  /// shows, where nothing happens meanwhile.
   struct Pair {
     Taken half, end;
     double error = 0; ///< m
@@ -172,6 +167,7 @@ private:
   Status solve_pair(double h, const MotionRun::Saved& before, Pair& pair) {
     Status status = solve(h);
     const MotionRun::State whole = run_.state();
+    const std::vector<Touch> touches = run_.touches();
     run_.restore(before);
     if (status == Status::solved) status = solve(h / 2);
     if (status == Status::solved) {
@@ -184,37 +180,20 @@ private:
     pair.has_event = changes(last_, pair.half.frame) || changes(pair.half.frame, pair.end.frame) ||
                      run_.leaves();
     pair.error = distance(whole.moment.pose, run_.stepper().pose());
-    if (pair.has_event || !extrapolates(h, before.moment, whole, pair)) run_.keep_to_strokes();
+    const bool is_smooth = !pair.has_event && run_.touches() == touches;
+    if (!is_smooth || !extrapolates(h, before.moment, whole, pair)) run_.keep_to_strokes();
     return status;
   }
 
   bool extrapolates(double h, const MotionRun::Stepper::Moment& before,
                     const MotionRun::State& whole, Pair& pair) {
-    const MotionRun::State halves = run_.state();
-    if (!run_.extrapolate(whole, Settings::extrapolated_gap * size_)) return false;
+    if (!run_.extrapolate(whole, Settings::exact * size_)) return false;
+    // Of third order in h, but where velocities have changed at once.
     const Vector6<double> mean = (before.velocity + run_.stepper().velocity()) / 2;
-    const double other = distance(moved(before.pose, mean, h), run_.stepper().pose());
-    if (!(other < pair.error)) {
-      run_.return_to(halves);
-      return false;
-    }
-    pair.error = other;
+    const Pose<double> other = moved(before.pose, mean, h);
+    pair.error = std::min(pair.error, distance(other, run_.stepper().pose()));
     pair.end = taken(h / 2);
     pair.end.phase = phase_of(pair.end.phase.kind, pair.half.frame, pair.end.frame);
-    return true;
-  }
-
-  /// Two steps as long as was asked; each for itself where they cannot be told from one.
-  bool fixed_pair(double h, double target) {
-    const MotionRun::Saved before = run_.save();
-    Pair pair;
-    if (solve_pair(2 * h, before, pair) != Status::solved || passes_distance()) {
-      run_.restore(before);
-      return fixed_step(h) && fixed_step(h);
-    }
-    keep(pair.half);
-    if (now() - h >= target) middle_ = pair.half.frame;
-    keep(pair.end);
     return true;
   }
 
@@ -350,7 +329,6 @@ private:
   const double size_, time_;
   MotionReport report_;
   MotionFrame last_;
-  std::optional<MotionFrame> middle_; ///< of a fixed pair, where a frame is due
   Phases phases_{size_};
   ForceJumps jumps_;
   double next_ = 0;

@@ -67,9 +67,10 @@ WorstForce judge_slip(const SceneFile& file, const Body<double>& body, Index i,
   const double slip = std::hypot(seen.slip->norm(), body.torsion_radius * seen.spin);
   const double against = -said.friction_force->dot(*seen.slip) - *said.torsion * seen.spin;
   const double least = least_share(file, body) * body.friction * std::abs(*said.normal_force);
-  if (!(slip > 0)) return of_point(ForceLaw::dissipation, i, 0, least, least);
+  if (!(slip > seen.unsure)) return of_point(ForceLaw::dissipation, i, 0, least, least);
   // missing = off F + off^2 2 mu lambda (fastest / slip)^2: never more than slip / fastest.
-  const double missing = std::max(0.0, least - against / slip), faster = units.speed / slip;
+  const double turned = seen.unsure / slip, faster = units.speed / slip;
+  const double missing = std::max(0.0, least * (1 - 2 * turned * turned) - against / slip);
   const double root = std::hypot(units.point_force, faster * std::sqrt(8 * least * missing));
   return of_point(ForceLaw::dissipation, i, 2 * missing / (units.point_force + root),
                   against / slip, least);

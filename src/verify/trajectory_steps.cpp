@@ -183,6 +183,9 @@ void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
   const double turn =
       step.h * std::max(step.twist->tail<3>().norm(), Vector6<double>(*body).tail<3>().norm());
   contact.missed = 2 * turn * (turn * size_ + step.h * beside.norm());
+  const Vector6<double> faster =
+      faces_.prescribed(b, step.time) - faces_.prescribed(b, step.time - step.h);
+  contact.unsure = acceleration_at(contact.position, faster).norm() / 2;
 }
 
 void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const Closings& end,

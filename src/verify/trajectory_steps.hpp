@@ -21,6 +21,7 @@ struct SeenContact {
   double missed = 0;                   ///< m, by which a straight step may miss a face that turns
   std::optional<Vector3<double>> slip; ///< m/s, of the object beside the body, at the end
   double spin = 0;                     ///< rad/s about the normal, where slip is known
+  double unsure = 0; ///< m/s, by which slip is off, told at the step's end of a body that speeds up
 };
 
 /// The step that ends at a frame.

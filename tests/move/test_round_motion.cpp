@@ -1,6 +1,6 @@
 // Motion under round friction.
 #include "lcpush/desktop/move.hpp"
-#include "support/scene_text.hpp"
+#include "support/fixture_push.hpp"
 
 #include <doctest/doctest.h>
 
@@ -30,30 +30,54 @@ SceneFile pushed_plate(const std::string& facets) {
                      "s.toml", Strokes::all);
 }
 
-double turned(const std::string& facets, int steps) {
-  MoveOptions options;
+MotionReport moved_plate(const std::string& facets, MoveOptions options) {
   options.time = way / speed;
-  options.step = way / speed / steps;
-  const MotionReport report = move(pushed_plate(facets), options);
+  MotionReport report = move(pushed_plate(facets), options);
   REQUIRE(report.status == Status::solved);
+  return report;
+}
+
+double turn_of(const MotionReport& report) {
   const Matrix3<double>& R = report.frames.back().pose.rotation;
   return std::abs(std::atan2(R(1, 0), R(0, 0)));
+}
+
+double turned(const std::string& facets, int steps) {
+  MoveOptions options;
+  options.step = way / speed / steps;
+  return turn_of(moved_plate(facets, options));
+}
+
+/// By the closed form.
+double exact_turn() {
+  const double x = 0.005, y = 0.015; // from the tip to the middle
+  const double rho = std::hypot(x, y), begin = std::atan2(x, y);
+  const double grown = std::exp(rho * way / (radius * radius + rho * rho));
+  return 2 * std::atan(std::tan(begin / 2) * grown) - begin;
 }
 
 } // namespace
 
 TEST_CASE(
     "[T.16] a point push on soft fingers: tan(theta / 2) grows as exp(rho s / (c^2 + rho^2))") {
-  const double x = 0.005, y = 0.015; // from the tip to the middle
-  const double rho = std::hypot(x, y), begin = std::atan2(x, y);
-  const double grown = std::exp(rho * way / (radius * radius + rho * rho));
-  const double exact = 2 * std::atan(std::tan(begin / 2) * grown) - begin;
+  const double exact = exact_turn();
   const double coarse = turned("\"round\"", 100) - exact, fine = turned("\"round\"", 200) - exact;
   CHECK(std::abs(fine) < 1e-2 * exact);
   CHECK(coarse / fine > 1.9);
   CHECK(coarse / fine < 2.1);
   // What eight facets make of it.
   CHECK(std::abs(turned("8", 200) - exact) > 10 * std::abs(fine));
+}
+
+TEST_CASE("[T.13] steps that a motion chooses are of second order") {
+  MoveOptions options;
+  options.tolerance = 2e-6; // m
+  const MotionReport chosen = moved_plate("\"round\"", options);
+  const double off = std::abs(turn_of(chosen) - exact_turn());
+  CHECK(off * 0.05 < 2e-6); // of the corners, m
+  const double of_first_order =
+      std::abs(turned("\"round\"", static_cast<int>(chosen.steps)) - exact_turn());
+  CHECK(off < of_first_order / 100);
 }
 
 TEST_CASE("friction settles over the present points alone, after others have left their faces") {

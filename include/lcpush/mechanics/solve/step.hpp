@@ -153,6 +153,7 @@ private:
 
   // step_geometry.hpp: which points touch now, and where the solved push takes them.
   S reach(const S& h) const;
+  bool comes_from_beside(Index i) const;
   void place_points(const S& reach);
   void gather_points(Index b, Index first, Index count, Index& points);
   bool gather();

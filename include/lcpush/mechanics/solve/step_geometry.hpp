@@ -37,6 +37,14 @@ PlacedPoint<S> TimeStepper<S, Pivots>::placed(Index b, Index i, const Pose<S>& o
   return point;
 }
 
+/// Does a point come back over its face from beside, inside it? It has met the object's side, which
+/// is no face of its own: to be out at the step's end it would be thrown, the faster the shorter.
+template <class S, class Pivots> bool TimeStepper<S, Pivots>::comes_from_beside(Index i) const {
+  const Absence last = m_.contacts[i].absence;
+  return (last == Absence::outside || last == Absence::behind) &&
+         m_.placed[i].absence == Absence::none && m_.placed[i].gap < -penetration_tolerance();
+}
+
 template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const S& reach) {
   depth_ = S(0);
   for (Index b = 0; b < scene_->bodies.size; ++b) {
@@ -45,6 +53,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       m_.placed[i] = placed(b, i, pose_, m_.poses[b]);
       if (is_absent(*around_, b)) m_.placed[i].absence = Absence::away;
+      if (comes_from_beside(i)) m_.placed[i].absence = Absence::behind;
       const bool is_far = !closes && !body.bilateral && m_.placed[i].gap > reach;
       if (m_.placed[i].absence != Absence::none) continue;
       depth_ = Eigen::numext::maxi(depth_, S(-m_.placed[i].gap));
