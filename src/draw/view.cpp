@@ -63,11 +63,14 @@ std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
     const Pixel u = points[a] - points[o], v = points[b] - points[o];
     return u.x() * v.y() - u.y() * v.x();
   };
+  double across = 0;
+  for (const Pixel& p : points) across = std::max(across, (p - points[0]).squaredNorm());
+  const double unseen = 1e-12 * across; // two corners that rounding has made of one
   std::vector<std::size_t> all;
   for (int half = 0; half < 2; ++half) {
     const std::size_t first = all.size();
     for (const std::size_t p : order) {
-      while (all.size() > first + 1 && turn(all[all.size() - 2], all.back(), p) <= 0)
+      while (all.size() > first + 1 && turn(all[all.size() - 2], all.back(), p) <= unseen)
         all.pop_back();
       all.push_back(p);
     }
