@@ -49,8 +49,11 @@ public:
     for (std::size_t j = 0; j < chosen.size(); ++j)
       if (chosen[j]) at[j] = std::clamp(at[j], choice(j).from, choice(j).to);
     best_.values = at;
-    search_at(at);
+    search_few(2);
+    search_few(3);
+    search_at(best_.values);
     search_grid();
+    search_few(2);
     settle(chosen);
     return best_;
   }
@@ -171,7 +174,7 @@ private:
       }
     std::priority_queue<Cell> cells;
     add(model, std::move(all), cells);
-    while (!cells.empty() && work_ > 0 && wanted() < 1) {
+    while (!cells.empty() && work_ > reserve_ && wanted() < 1) {
       Cell half = cells.top();
       cells.pop();
       std::size_t widest = 0;
@@ -186,6 +189,26 @@ private:
       add(model, std::move(half), cells);
       add(model, std::move(other), cells);
     }
+  }
+
+  /// So many choices at a time, which soon ends, as long as that helps.
+  void search_few(std::size_t count) {
+    const std::vector<bool> open = open_;
+    for (bool is_better = true; is_better && work_ > 0;) {
+      const double before = best_.margin;
+      std::vector<bool> few(open.size(), false);
+      std::fill_n(few.rbegin(), std::min(count, few.size()), true);
+      do {
+        open_ = few;
+        bool is_open = few != open && work_ > 0; // all of them are looked at anyway
+        for (std::size_t j = 0; j < few.size(); ++j) is_open = is_open && (open[j] || !few[j]);
+        reserve_ = std::max(work_ - design_settings.few_work, 0.0);
+        if (is_open) search_at(best_.values);
+      } while (std::next_permutation(few.begin(), few.end()));
+      is_better = best_.margin > std::max(before, before * (1 + design_settings.better));
+    }
+    reserve_ = 0;
+    open_ = open;
   }
 
   /// The others on a grid, and then around the best one in ever smaller steps.
@@ -247,7 +270,7 @@ private:
   std::vector<bool> linear_, open_, rest_, model_open_;
   std::unique_ptr<DesignModel> model_;
   Best best_;
-  double work_ = 0;
+  double work_ = 0, reserve_ = 0;
   bool is_held_back_ = false; ///< something better would stick, if the grip held the load
 };
 

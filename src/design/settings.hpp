@@ -9,7 +9,7 @@ struct DesignSettings {
   double finest = 1e-12; ///< of a range: cells are not cut smaller
   /// Looks at a corner, for all choices, about a second; and what else costs so many: a model, a
   /// margin (of each corner), whether the load is held. Measured.
-  double work = 4e6, model_work = 12000, margin_work = 60, hold_work = 400;
+  double work = 4e6, model_work = 12000, margin_work = 60, hold_work = 400, few_work = 1e5;
   /// Places on a grid over choices in which no condition is linear: of one, of two, of each of
   /// more.
   int grid[3] = {33, 7, 4};
