@@ -187,7 +187,8 @@ double sticking_margin(const Box& box, const PushModel& model,
                        const std::function<BoxEnds(double margin)>& ends) {
   const double margin = widest_margin([&](double e) {
     const BoxEnds there = ends(e);
-    return model.room(there.low, there.high).least >= 0;
+    const std::array<double, 4> rooms = model.rooms(there.low, there.high);
+    return *std::min_element(rooms.begin(), rooms.end()) >= 0;
   });
   std::vector<double> worst;
   const auto holds = [&](double e) {
