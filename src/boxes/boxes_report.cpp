@@ -8,23 +8,6 @@
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
-namespace {
-
-std::string answer_sentence(const BoxAnswer& answer, const std::string& subject,
-                            const std::string& does, const std::string& fails) {
-  switch (answer.verdict) {
-  case BoxVerdict::always: return subject + " " + does + " for every value in the ranges";
-  case BoxVerdict::never:
-    return subject + " " + does + " for no value in the ranges: " + answer.reason;
-  case BoxVerdict::may_slip:
-    return subject + " " + fails + ": at the corner below " + answer.reason;
-  case BoxVerdict::not_known: break;
-  }
-  return "Not known for every value in the ranges: " + answer.reason;
-}
-
-} // namespace
-
 std::string margin_words(const BoxAnswer& answer) {
   if (answer.is_indifferent) return "; it does not depend on these numbers";
   if (!answer.margin || !(*answer.margin > 0)) return "";
@@ -34,6 +17,27 @@ std::string margin_words(const BoxAnswer& answer) {
   return *answer.margin > box_settings.no_margin
              ? "; it would still if all of these numbers were up to 100 % off"
              : "; it would still if all of these numbers were " + percent;
+}
+
+std::string box_sentence(const BoxAnswer& answer, const std::string& subject,
+                         const std::string& does, const std::string& fails,
+                         const std::string& where) {
+  const std::string margin = margin_words(answer) + ".";
+  switch (answer.verdict) {
+  case BoxVerdict::always: return subject + " " + does + " for every value in the ranges" + margin;
+  case BoxVerdict::never:
+    return subject + " " + does + " for no value in the ranges: " + answer.reason + margin;
+  case BoxVerdict::may_slip:
+    return subject + " " + fails + ": " + where + " " + answer.reason + margin;
+  case BoxVerdict::not_known: break;
+  }
+  return "Not known for every value in the ranges: " + answer.reason + margin;
+}
+
+std::string corner_words(const BoxAnswer& answer) {
+  std::vector<std::string> words;
+  for (const auto& [path, value] : answer.corner) words.push_back(path + " = " + brief(value));
+  return "at " + listed(words, "and");
 }
 
 void write_box(JsonWriter& json, const BoxAnswer& answer) {
@@ -55,8 +59,8 @@ void write_box(JsonWriter& json, const BoxAnswer& answer) {
 
 std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
                      const std::string& does, const std::string& fails) {
-  std::string text = title_line(middle) + answer_sentence(answer, subject, does, fails) +
-                     margin_words(answer) + ".\n\n";
+  std::string text = title_line(middle) +
+                     box_sentence(answer, subject, does, fails, "at the corner below") + "\n\n";
   TableRows rows{{"number", "from", "to"}};
   const bool has_corner = !answer.corner.empty();
   if (has_corner) rows[0].push_back("at the corner");

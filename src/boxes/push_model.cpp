@@ -342,9 +342,10 @@ PushConditions<double> PushModel::conditions(const std::vector<double>& of_sides
   return conditions_of(numbers, rounded_fixed_);
 }
 
-PushModel::Room PushModel::room(const std::vector<double>& low,
-                                const std::vector<double>& high) const {
-  Room room{std::numeric_limits<double>::infinity(), 0};
+std::array<double, 4> PushModel::rooms(const std::vector<double>& low,
+                                       const std::vector<double>& high) const {
+  std::array<double, 4> least;
+  least.fill(std::numeric_limits<double>::infinity());
   for (Box::Corner c = 0; c < box_.corners(); ++c) {
     bool is_wanted = true;
     std::vector<double> at = low;
@@ -355,10 +356,10 @@ PushModel::Room PushModel::room(const std::vector<double>& low,
     }
     if (!is_wanted) continue;
     const std::array<double, 4> values = conditions(at).values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] / unit(i) < room.least) room = {values[i] / unit(i), i};
+    for (std::size_t i = 0; i < least.size(); ++i)
+      least[i] = std::min(least[i], values[i] / unit(i));
   }
-  return room;
+  return least;
 }
 
 } // namespace lcpush::desktop

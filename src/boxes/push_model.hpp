@@ -42,13 +42,10 @@ public:
 
   PushConditions<Interval> exact_conditions(const std::vector<Rational>& of_sides) const;
   PushConditions<double> conditions(const std::vector<double>& of_sides) const;
-  /// With rounding: how much the condition that fails most at a corner between `low` and `high`
-  /// has to spare there, N; < 0: it slips.
-  struct Room {
-    double least;
-    std::size_t condition;
-  };
-  Room room(const std::vector<double>& low, const std::vector<double>& high) const;
+  /// With rounding: how much each condition has to spare, N, at the corner between `low` and `high`
+  /// where that is least; < 0: it fails.
+  std::array<double, 4> rooms(const std::vector<double>& low,
+                              const std::vector<double>& high) const;
   /// Does the motion press some point of the pusher into the object, in the whole box?
   bool presses() const { return presses_; }
 

@@ -2,6 +2,7 @@
 #include "boxes/sticking.hpp"
 #include "boxes/settings.hpp"
 #include "cone/pusher_cone.hpp"
+#include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/naming.hpp"
 #include "solve/sentence.hpp"
 #include "text/wording.hpp"
@@ -186,7 +187,8 @@ double sticking_margin(const Box& box, const PushModel& model,
                        const std::function<BoxEnds(double margin)>& ends) {
   const double margin = widest_margin([&](double e) {
     const BoxEnds there = ends(e);
-    return model.room(there.low, there.high).least >= 0;
+    const std::array<double, 4> rooms = model.rooms(there.low, there.high);
+    return *std::min_element(rooms.begin(), rooms.end()) >= 0;
   });
   std::vector<double> worst;
   const auto holds = [&](double e) {
@@ -203,6 +205,23 @@ BoxAnswer judge_push(const VariedScene& scene, const std::optional<Vector6<doubl
     if (file.body(b).role == Role::pusher) refuse_no_cone(file, b);
   refuse_single_place(file, LimitSurface(GripPoints(file), planar_reach(file)));
   return PushJudge(scene, twist).judge();
+}
+
+BoxAnswer judge_modes(const VariedScene& scene) {
+  const SceneFile file = scene.as_given();
+  const auto pushers =
+      std::count_if(file.bodies.begin(), file.bodies.end(),
+                    [](const Body<double>& body) { return body.role == Role::pusher; });
+  if (pushers == 0) return judge_hold(scene);
+  BoxAnswer answer = unknown_box(scene);
+  answer.reason = "contact modes are proved alone of one pusher that sticks in a plane (planar = "
+                  "true), beside fingers that press across it";
+  if (pushers > 1 || !file.planar) return answer;
+  try {
+    return judge_push(scene);
+  } catch (const InputError&) {
+    return answer;
+  }
 }
 
 } // namespace lcpush::desktop

@@ -221,8 +221,9 @@ Document Arguments::given_scene(std::size_t k) const {
 void Arguments::inspect(const SceneFile& file) const {
   std::vector<SceneDoubt> doubts = check_scene(file);
   const commands::Option* const tolerance = command().find("tolerance");
-  const bool asks_box =
-      tolerance != nullptr && tolerance->repeats && text("format") != "svg" && !has("vary");
+  const bool asks_box = tolerance != nullptr && tolerance->repeats && text("format") != "svg" &&
+                        !has("vary") &&
+                        (command().find("box") == nullptr || has("tolerance") || has("box"));
   if (has("strict") || asks_box) // a range is nothing odd, and a box is asked
     doubts.erase(
         std::remove_if(doubts.begin(), doubts.end(),

@@ -2,6 +2,8 @@
 #include "commands/asked_push.hpp"
 #include "commands/history.hpp"
 #include "commands/values.hpp"
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/matrices.hpp"
 #include "lcpush/desktop/report.hpp"
 
@@ -23,19 +25,53 @@ SceneFile scene_to_solve(const Values& values, Listener& listener) {
   return file;
 }
 
+/// For every value of a box, if one is asked for; the file is its middle.
+std::optional<BoxAnswer> judged_box(const Values& values, SceneFile& file) {
+  if (!values.has("tolerance") && !values.has("box")) return std::nullopt;
+  const VariedScene scene = values.scene_with_ranges(Needs::scene);
+  if (scene.ranges().empty())
+    values.refuse("box", values.label("box") + " is of a scene's ranges, and it has none; give " +
+                             values.usage("tolerance"));
+  if (values.has("certify"))
+    values.refuse("certify", values.label("certify") + " proves one answer, not those of a box");
+  file = scene.as_given();
+  file.lines.ranges = 0; // they are answered
+  return judge_modes(scene);
+}
+
+/// Its verdict beside the answer of the middle.
+std::string with_box(std::string text, const std::string& format, const SceneFile& file,
+                     const BoxAnswer& box) {
+  if (format == "json") {
+    JsonWriter json;
+    json.begin_object();
+    write_box(json, box);
+    return text.replace(0, 1, json.text() + ",");
+  }
+  const bool pushes = file.bodies.back().role == Role::pusher;
+  return text + "\n" +
+         box_sentence(box, pushes ? "Pushed slowly, the pusher" : "The grasp",
+                      pushes ? "sticks" : "holds", pushes ? "may slip" : "may give way",
+                      corner_words(box)) +
+         "\n";
+}
+
 Result run_solve(const Values& values, Listener& listener) {
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
-  const auto asked =
-      std::make_shared<AskedPush>(scene_to_solve(values, listener), solver, listener);
+  SceneFile file = scene_to_solve(values, listener);
+  const std::optional<BoxAnswer> box = judged_box(values, file);
+  const auto asked = std::make_shared<AskedPush>(std::move(file), solver, listener);
   asked->options.record_history = values.has("history");
   const HoldReport hold = asked->push.holds_without_push(asked->options);
   const auto report = std::make_shared<PushReport>(asked->push.solve(asked->options));
-  return {report->status == Status::solved,
-          values.has("history") ? history_text(format, solver, report->status, report->history)
-          : format == "json"    ? solve_json(asked->file, hold, *report)
-                                : solve_text(asked->file, hold, *report, values.telling()),
-          [asked, report, &values] {
+  std::string text = values.has("history")
+                         ? history_text(format, solver, report->status, report->history)
+                     : format == "json" ? solve_json(asked->file, hold, *report)
+                                        : solve_text(asked->file, hold, *report, values.telling());
+  if (box && !values.has("history")) text = with_box(std::move(text), format, asked->file, *box);
+  return {report->status == Status::solved && (!box || box->verdict == BoxVerdict::always),
+          std::move(text), [asked, report, &values] {
             return certify_push(values.scene_document().text, asked->file, *report);
           }};
 }
@@ -77,15 +113,24 @@ Result run_matrices(const Values& values, Listener& listener) {
 } // namespace
 
 Command solve_command() {
-  return {"solve",
-          "SCENE.toml [OPTIONS]",
-          "what a push does: forces, motion in the grip, contact modes",
-          "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
-          "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
-          "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_scene_options({verbose_option, solver_option, pressure_option, facets_option,
-                              history_option, certify_option}),
-          run_solve};
+  return {
+      "solve",
+      "SCENE.toml [OPTIONS]",
+      "what a push does: forces, motion in the grip, contact modes",
+      "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
+      "Accelerations are the object's, in the gripper's frame and SI units. With --tolerance the\n"
+      "middle of the ranges is solved, and it is said whether the pusher sticks for every "
+      "value.\n\n"
+      "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
+      with_scene_options({verbose_option,
+                          solver_option,
+                          pressure_option,
+                          facets_option,
+                          tolerance_option,
+                          {"box", "", "the same of the ranges that stand in the scene"},
+                          history_option,
+                          certify_option}),
+      run_solve};
 }
 
 Command break_command() {

@@ -7,6 +7,7 @@
 #include "scenes/parameter_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <queue>
@@ -49,8 +50,11 @@ public:
     for (std::size_t j = 0; j < chosen.size(); ++j)
       if (chosen[j]) at[j] = std::clamp(at[j], choice(j).from, choice(j).to);
     best_.values = at;
-    search_at(at);
+    search_few(2);
+    search_few(3);
+    search_at(best_.values);
     search_grid();
+    search_few(2);
     settle(chosen);
     return best_;
   }
@@ -123,7 +127,7 @@ private:
 
   double try_one(const DesignModel& model, const Values& values) {
     work_ -= static_cast<double>(model.cost());
-    double room = model.room(values, wanted()).least;
+    double room = least(model.rooms(values, wanted()));
     if (room >= 0 || is_held_back_) {
       const double held = model.hold_room(values, wanted());
       is_held_back_ = is_held_back_ || held < 0;
@@ -171,7 +175,7 @@ private:
       }
     std::priority_queue<Cell> cells;
     add(model, std::move(all), cells);
-    while (!cells.empty() && work_ > 0 && wanted() < 1) {
+    while (!cells.empty() && work_ > reserve_ && wanted() < 1) {
       Cell half = cells.top();
       cells.pop();
       std::size_t widest = 0;
@@ -188,42 +192,110 @@ private:
     }
   }
 
-  /// The others on a grid, and then around the best one in ever smaller steps.
+  /// So many choices at a time, which soon ends, as long as that helps.
+  void search_few(std::size_t count) {
+    const std::vector<bool> open = open_;
+    for (bool is_better = true; is_better && work_ > 0;) {
+      const double before = best_.margin;
+      std::vector<bool> few(open.size(), false);
+      std::fill_n(few.rbegin(), std::min(count, few.size()), true);
+      do {
+        open_ = few;
+        bool is_open = few != open && work_ > 0; // all of them are looked at anyway
+        for (std::size_t j = 0; j < few.size(); ++j) is_open = is_open && (open[j] || !few[j]);
+        reserve_ = std::max(work_ - design_settings.few_work, 0.0);
+        if (is_open) search_at(best_.values);
+      } while (std::next_permutation(few.begin(), few.end()));
+      is_better = best_.margin > std::max(before, before * (1 + design_settings.better));
+    }
+    reserve_ = 0;
+    open_ = open;
+  }
+
+  /// Every list of so many places.
+  template <class Visit> static void each_place(std::size_t size, int places, const Visit& visit) {
+    std::vector<int> at(size, 0);
+    for (std::size_t i = 0; i < size;) {
+      visit(at);
+      for (i = 0; i < size && ++at[i] == places; ++i) at[i] = 0;
+    }
+  }
+
+  /// The others on a grid, and then from the best one.
   void search_grid() {
     std::vector<std::size_t> which;
     for (std::size_t j = 0; j < rest_.size(); ++j)
       if (rest_[j]) which.push_back(j);
     if (which.empty()) return;
-    const int count = design_settings.grid[std::min<std::size_t>(which.size(), 3) - 1];
-    const auto each = [&](int places, const auto& visit) { // every list of so many places
-      std::vector<int> at(which.size(), 0);
-      for (std::size_t i = 0; i < at.size();) {
-        visit(at);
-        for (i = 0; i < at.size() && ++at[i] == places; ++i) at[i] = 0;
-      }
-    };
-    each(count, [&](const std::vector<int>& place) {
+    const int count = design_settings.grid[std::min<std::size_t>(which.size(), 5) - 1];
+    each_place(which.size(), count, [&](const std::vector<int>& place) {
       Values at = best_.values;
       for (std::size_t i = 0; i < which.size(); ++i)
         at[which[i]] = choice(which[i]).from +
                        place[i] * (choice(which[i]).to - choice(which[i]).from) / (count - 1);
       search_at(at);
     });
-    double step = 1.0 / (count - 1);
-    for (int k = 0; k < design_settings.halvings && work_ > 0; step /= 2, ++k)
-      for (bool is_better = true; is_better && work_ > 0;) {
-        const Best before = best_;
-        each(3, [&](const std::vector<int>& place) {
-          Values at = before.values;
-          for (std::size_t i = 0; i < which.size(); ++i) {
-            const DesignSpace::Choice& c = choice(which[i]);
-            at[which[i]] =
-                std::clamp(at[which[i]] + (place[i] - 1) * step * (c.to - c.from), c.from, c.to);
-          }
-          if (at != before.values && work_ > 0) search_at(at);
-        });
-        is_better = best_.margin > before.margin || (best_.margin < 0 && best_.room > before.room);
+    climb(which, 1.0 / (count - 1));
+  }
+
+  template <class Rooms> static double least(const Rooms& rooms) {
+    return *std::min_element(rooms.begin(), rooms.end());
+  }
+
+  /// From the best one along what the conditions' slopes promise, in ever smaller steps: where two
+  /// of them meet, no choice alone leads on.
+  void climb(const std::vector<std::size_t>& which, double step) {
+    using Rooms = std::array<double, 5>;       // of the conditions, and of the grip before the push
+    constexpr int ways = design_settings.ways; // of each choice, from - step to step
+    for (int k = 0; k < design_settings.halvings && work_ > 0;) {
+      const Best before = best_;
+      const auto moved = [&](const Values& by) {
+        Values at = before.values;
+        for (std::size_t i = 0; i < which.size(); ++i) {
+          const DesignSpace::Choice& c = choice(which[i]);
+          at[which[i]] = std::clamp(at[which[i]] + by[i] * step * (c.to - c.from), c.from, c.to);
+        }
+        return at;
+      };
+      const auto rooms = [&](const Values& by) {
+        const Values at = moved(by);
+        const DesignModel* const model = possible_model_at(at);
+        Rooms rooms{};
+        if (model == nullptr) return rooms;
+        const std::array<double, 4> sticks = model->rooms(at, wanted());
+        std::copy(sticks.begin(), sticks.end(), rooms.begin());
+        rooms[4] = is_held_back_ ? model->hold_room(at, wanted()) : design_settings.enough;
+        return rooms;
+      };
+      const Values here(which.size(), 0);
+      const Rooms middle = rooms(here);
+      std::vector<Rooms> slopes(which.size());
+      for (std::size_t i = 0; i < which.size(); ++i) {
+        Values low = here, high = here;
+        low[i] = -1;
+        high[i] = 1;
+        const Rooms a = rooms(low), b = rooms(high);
+        const double width = (moved(high)[which[i]] - moved(low)[which[i]]) /
+                             (step * (choice(which[i]).to - choice(which[i]).from));
+        for (std::size_t c = 0; c < middle.size(); ++c) slopes[i][c] = (b[c] - a[c]) / width;
       }
+      Values by = here, best_way = here;
+      double most = -std::numeric_limits<double>::infinity();
+      each_place(which.size(), ways, [&](const std::vector<int>& place) {
+        Rooms there = middle;
+        for (std::size_t i = 0; i < which.size(); ++i) {
+          by[i] = 2.0 * place[i] / (ways - 1) - 1;
+          for (std::size_t c = 0; c < middle.size(); ++c) there[c] += slopes[i][c] * by[i];
+        }
+        if (!(least(there) > most) || moved(by) == before.values) return;
+        most = least(there);
+        best_way = by;
+      });
+      search_at(moved(best_way));
+      if (best_.margin > before.margin || (best_.margin < 0 && best_.room > before.room)) continue;
+      step /= 2;
+      ++k;
+    }
   }
 
   /// What makes no difference stays as it is, or goes to an end.
@@ -247,7 +319,7 @@ private:
   std::vector<bool> linear_, open_, rest_, model_open_;
   std::unique_ptr<DesignModel> model_;
   Best best_;
-  double work_ = 0;
+  double work_ = 0, reserve_ = 0;
   bool is_held_back_ = false; ///< something better would stick, if the grip held the load
 };
 
@@ -268,7 +340,7 @@ DesignReport find_design(const VariedScene& scene, const std::vector<std::string
   Designer designer(space);
   const std::size_t count = space.choices().size();
   const std::vector<bool> all(count, true);
-  const Designer::Best best = designer.find(all, 0.5);
+  const Designer::Best best = designer.find(all, design_settings.joint);
   report.chosen = judge_push(space.box_at(best.values));
   report.binds = binding_words(space, best.values, report.chosen);
   report.scene = space.scene_at(best.values).text_at({}, {});
@@ -277,7 +349,8 @@ DesignReport find_design(const VariedScene& scene, const std::vector<std::string
     std::vector<bool> one(count, false);
     one[j] = true;
     const Designer::Best alone =
-        count == 1 ? best : designer.find(one, 0.5 / static_cast<double>(count));
+        count == 1 ? best
+                   : designer.find(one, (1 - design_settings.joint) / static_cast<double>(count));
     const Parameter& first = choice.parameters[0];
     report.choices.push_back({choice.path,
                               choice.slopes.empty() ? parameter_label(first) : choice.path + ", m",

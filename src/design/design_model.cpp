@@ -66,13 +66,15 @@ bool DesignModel::chooses_load() const {
 
 std::string DesignModel::first_beyond(const Values& values, double margin) const {
   const SceneFile file = scene_.as_given();
-  return hold_room(values, margin) < 0 ? falls_words(file)
-                                       : slip_words(file, model_, room(values, margin).condition);
+  if (hold_room(values, margin) < 0) return falls_words(file);
+  const std::array<double, 4> room = rooms(values, margin);
+  const auto worst = std::min_element(room.begin(), room.end()) - room.begin();
+  return slip_words(file, model_, static_cast<std::size_t>(worst));
 }
 
-PushModel::Room DesignModel::room(const Values& values, double margin) const {
+std::array<double, 4> DesignModel::rooms(const Values& values, double margin) const {
   const BoxEnds there = ends(values, margin);
-  return model_.room(there.low, there.high);
+  return model_.rooms(there.low, there.high);
 }
 
 bool DesignModel::narrow(Values& low, Values& high, double margin) const {

@@ -4,6 +4,7 @@
 #include "boxes/sticking.hpp"
 #include "design/design_space.hpp"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,8 +26,8 @@ public:
   /// the frictions and grips are; of a load that is chosen that is not known.
   double hold_room(const Values& values, double margin) const;
   bool chooses_load() const;
-  /// What the worst condition has to spare with this margin.
-  PushModel::Room room(const Values& values, double margin) const;
+  /// What each condition has to spare with this margin, at the worst corner, N.
+  std::array<double, 4> rooms(const Values& values, double margin) const;
   /// What happens where that margin is too much: "the box slips over wall along -y".
   std::string first_beyond(const Values& values, double margin) const;
   /// Cuts off of the choices between these what surely does not stick with this margin; false:

@@ -6,14 +6,16 @@ namespace lcpush::desktop {
 struct DesignSettings {
   /// Of a margin: what is no better by this part is as good. And the least margin that counts.
   double better = 1e-7, least_margin = 1e-9;
+  double joint = 0.6;    ///< of the work is for all choices together, the rest for each alone
   double finest = 1e-12; ///< of a range: cells are not cut smaller
   /// Looks at a corner, for all choices, about a second; and what else costs so many: a model, a
   /// margin (of each corner), whether the load is held. Measured.
-  double work = 4e6, model_work = 12000, margin_work = 60, hold_work = 400;
-  /// Places on a grid over choices in which no condition is linear: of one, of two, of each of
-  /// more.
-  int grid[3] = {33, 7, 4};
-  int halvings = 24;       ///< of the grid's step around the best one
+  double work = 3e6, model_work = 6000, margin_work = 60, hold_work = 400, few_work = 1e5;
+  /// Places on a grid over choices in which no condition is linear: of one, of each of two, ..
+  int grid[5] = {17, 5, 3, 2, 2};
+  int halvings = 24;       ///< of a step from the best one
+  double enough = 1e6;     ///< N: room that does not matter
+  int ways = 9;            ///< that a choice may go in a step
   double beyond = 1e-6;    ///< over a margin: there it surely slips
   int curve_steps = 80;    ///< of a picture
   int break_halvings = 40; ///< of such a step, to where another condition binds

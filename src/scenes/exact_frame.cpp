@@ -4,6 +4,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/patch.hpp"
 
+#include <map>
 #include <string>
 #include <utility>
 
@@ -114,6 +115,17 @@ desktop::BigInteger scaled_half_tangent(Index j, Index g) {
   return sums[1] * unit / sums[0];
 }
 
+/// The simplest fraction near it; kept, as every scene with a disc asks for the same ones.
+const Rational& half_tangent(Index j, Index g) {
+  thread_local std::map<std::pair<Index, Index>, Rational> known;
+  const auto [found, is_new] = known.try_emplace({j, g});
+  if (is_new)
+    found->second = desktop::simplest_near(
+        {scaled_half_tangent(j, g),
+         *desktop::BigInteger::parse("1" + std::string(circle_decimals, '0'))});
+  return found->second;
+}
+
 } // namespace
 
 template <> Rational circle_sine<Rational>(Index j, Index g) {
@@ -134,9 +146,8 @@ template <> Rational circle_cosine<Rational>(Index j, Index g) {
   if (j == 0) return 1;
   // Up to 45 degrees from the half angle; beyond, the sine of what is left.
   const bool is_small = 8 * j <= g;
-  const Rational x{is_small ? scaled_half_tangent(j, g) : scaled_half_tangent(g - 4 * j, 4 * g),
-                   *desktop::BigInteger::parse("1" + std::string(circle_decimals, '0'))};
-  const Rational t = desktop::simplest_near(x), square = t * t;
+  const Rational& t = is_small ? half_tangent(j, g) : half_tangent(g - 4 * j, 4 * g);
+  const Rational square = t * t;
   return is_small ? (1 - square) / (1 + square) : 2 * t / (1 + square);
 }
 

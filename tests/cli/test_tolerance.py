@@ -9,6 +9,7 @@ import sys
 
 from tool import SCENES, SOURCE, ToolTest, json_of, main, run, unwrapped
 
+UNCERTAIN = SOURCE / "docs/guide/uncertain_slide.toml"
 SQUARE, SLIDE = SOURCE / "docs/guide/square.toml", SCENES / "straight_slide.toml"
 DEEP = "--all" in sys.argv
 BOXES, SAMPLES = (200, 10000) if DEEP else (20, 300)
@@ -161,6 +162,27 @@ class Tolerance(ToolTest):
         typed = json_of("solve", self.file("t.toml", SLIDE_TEXT.replace("-0.015", "-0.014").replace("0.015, 0]]", "0.016, 0]]")))
         self.assertEqual(moved["bodies"], typed["bodies"])
 
+    def test_contact_modes_of_solve(self):
+        scene = self.file("slide.toml", SLIDE_TEXT)
+        free = self.file("held.toml", SLIDE_TEXT.split("[[pusher]]")[0])
+        for path, words, verdict, said in (
+                (scene, ["--tolerance", "*.friction=10%"], "always", "Pushed slowly, the pusher sticks for every value in the ranges; it"),
+                (scene, ["--tolerance", "wall.friction=0.01:0.4"], "may_slip", "may slip: at wall.friction = 0.01 the box slips over wall"),
+                (scene, ["--tolerance", "wall.friction=0.01:0.02"], "never", "sticks for no value in the ranges: the box slips over wall"),
+                (scene, ["--tolerance", "left.points[0][0]=0:0.01"], "not_known", "Not known for every value in the ranges: whether it"),
+                (SLIDE, ["--tolerance", "*.friction=10%"], "not_known", "proved alone of one pusher that sticks in a plane"),
+                (SCENES / "two_pushers.toml", ["--tolerance", "*.friction=10%"], "not_known", "proved alone of one pusher"),
+                (free, ["--tolerance", "object.mass=0.1:0.4"], "always", "The grasp holds for every value in the ranges"),
+                (free, ["--tolerance", "object.mass=0.1:9"], "may_slip", "The grasp may give way: at object.mass = 9 the grasp does not hold"),
+                (UNCERTAIN, ["--box"], "always", "it would still if all of these numbers were 25.66 % off")):
+            answer, text = json_of("solve", path, *words), run("solve", path, *words)
+            cone = json_of("cone", path, *[w for w in words if w != "--box"]) if path in (scene, UNCERTAIN) else answer
+            self.assertEqual((answer["verdict"], text.returncode), (verdict, verdict != "always"), words)
+            self.assertEqual([answer[k] for k in ("margin", "corner", "box")], [cone[k] for k in ("margin", "corner", "box")])
+            self.assertEqual(answer["status"], "solved")
+            self.assertIn(said, " ".join(text.stdout.split()))
+        self.assertIn("it has none", " ".join(run("solve", scene, "--box").stderr.split()))
+
     def test_what_is_refused(self):
         for old, new, said in (
                 ("friction = 0.3", "friction = [0.5, 0.3]", 'pusher "wall": friction = [0.5, 0.3] is a range that goes backwards'),
@@ -178,7 +200,7 @@ class Tolerance(ToolTest):
             self.assertEqual(refused.returncode, 2, given)
             self.assertIn(said, unwrapped(refused.stderr))
         self.assertIn("no corner of the box", run("cone", scene, "--tolerance", "*.friction=1%", "--format", "toml").stderr)
-        self.assertIn("would take it", run("solve", scene, "--tolerance", "*.friction=1%").stderr)
+        self.assertIn("would take it", run("break", scene, "--tolerance", "*.friction=1%").stderr)
 
     def test_the_verge_no_load_and_what_does_not_matter(self):
         verge = self.file("verge.toml", slide(0.25, 0.5, 20, 0.5).replace("-9.81", "-10"))  # mu_p 2 mu F = m g

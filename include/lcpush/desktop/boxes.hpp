@@ -58,6 +58,10 @@ BoxAnswer judge_push(const VariedScene& scene,
 /// Does the grasp hold before any push, for every value of the scene's ranges?
 BoxAnswer judge_hold(const VariedScene& scene);
 
+/// Are the contact modes of the scene's push certain: does its only pusher stick, or, where there
+/// is none, the grasp hold, for every value? Of other pushes nothing is proved: not_known.
+BoxAnswer judge_modes(const VariedScene& scene);
+
 /// The answer before anything is known.
 BoxAnswer unknown_box(const VariedScene& scene);
 
@@ -74,7 +78,13 @@ double widest_margin(const std::function<bool(double margin)>& holds, bool is_qu
 void write_box(JsonWriter& json, const BoxAnswer& answer);
 /// "; it would still if all of these numbers were 25.7 % off", or nothing.
 std::string margin_words(const BoxAnswer& answer);
-/// "This push", "sticks", "may slip".
+/// "This push", "sticks", "may slip"; and where it slips, "at the corner below".
+std::string box_sentence(const BoxAnswer& answer, const std::string& subject,
+                         const std::string& does, const std::string& fails,
+                         const std::string& where);
+/// "at wall.friction = 0.1 and object.mass = 0.22".
+std::string corner_words(const BoxAnswer& answer);
+/// The sentence, and the numbers as a table.
 std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
                      const std::string& does, const std::string& fails);
 

@@ -99,16 +99,21 @@ class Scene:
             file.write(self._text)
 
     def solve(self, *, solver: Optional[str] = None, check: bool = True,
+              tolerance: Union[str, Sequence[str]] = (), box: bool = False,
               progress: Optional[Progress] = None) -> Solution:
         """What the scene's push does: forces, motion in the grip, contact modes.
 
         Args:
             solver: "lemke" (default), "gauss-seidel" or "hybrid"
             check: raise NotSolved if there is no answer; else look at its `status`
+            tolerance: as of `cone`: is it certain that the pusher sticks? `verdict`, `margin`, `corner`
+            box: the same of the scene's own ranges
             progress: is called with the share that is done, as far as that is known, and with 1 at
                 the end, as in all questions; what it raises ends the work
         """
-        return self._answer(Solution, "solve", {"solver": solver}, check, progress)
+        return self._answer(Solution, "solve", {"solver": solver, "tolerance": tolerance or None,
+                                                "box": box or None},
+                            check and not (tolerance or box), progress)
 
     def break_(self, *, pusher: Optional[str] = None, solver: Optional[str] = None,
                check: bool = True, progress: Optional[Progress] = None) -> Breaking:
