@@ -5,8 +5,13 @@
 #include "scenes/mirror.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace lcpush::commands {
 namespace {
+
+constexpr double same_motion = 1e-9;
 
 /// The scene in which the pusher moves as --push says.
 VariedScene with_push(const Values& values, const VariedScene& scene) {
@@ -16,16 +21,26 @@ VariedScene with_push(const Values& values, const VariedScene& scene) {
   const Index pusher = values.pusher(file);
   const bool is_fast = file.strokes[static_cast<std::size_t>(pusher)].is_velocity;
   const std::string motion = is_fast ? "velocity" : "acceleration";
-  const Vector3<double>& center = file.object.center_of_mass;
-  // About the scene's origin, where it may not say otherwise.
+  Vector3<double> arm = file.object.center_of_mass; // from where the pusher's velocity is meant
+  const std::vector<std::string> paths = scene.paths();
+  const std::string name = file.body_name(pusher);
+  for (Index i = 0; i < 3; ++i)
+    if (const std::string about = name + ".about[" + std::to_string(i) + "]";
+        std::find(paths.begin(), paths.end(), about) != paths.end())
+      arm[i] -= scene.find(about).value;
   const double turn = (*push)[2];
-  const double own[] = {
-      (*push)[0] + turn * center.y(), (*push)[1] - turn * center.x(), 0, 0, 0, turn};
+  const double own[] = {(*push)[0] + turn * arm.y(), (*push)[1] - turn * arm.x(), 0, 0, 0, turn};
   VariedScene pushed = scene;
   for (int i = 0; i < 6; ++i)
-    pushed = pushed.with(pushed.find(file.body_name(pusher) + (i < 3 ? "." : ".angular_") + motion +
-                                     "[" + std::to_string(i % 3) + "]"),
+    pushed = pushed.with(pushed.find(name + (i < 3 ? "." : ".angular_") + motion + "[" +
+                                     std::to_string(i % 3) + "]"),
                          own[i]);
+  const Vector6<double> made = pushed.as_given().body(pusher).acceleration;
+  if (!(std::abs(made[0] - (*push)[0]) + std::abs(made[1] - (*push)[1]) <=
+        same_motion * (std::abs(made[0]) + std::abs(made[1]) + std::abs(turn))))
+    values.refuse("push", values.label("push") +
+                              ": the object is turned, and with it the axes of " +
+                              "the pusher's motion; give that in the scene");
   return pushed;
 }
 

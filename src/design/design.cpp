@@ -233,7 +233,7 @@ private:
       for (std::size_t i = 0; i < which.size(); ++i)
         at[which[i]] = choice(which[i]).from +
                        place[i] * (choice(which[i]).to - choice(which[i]).from) / (count - 1);
-      search_at(at);
+      if (work_ > 0) search_at(at);
     });
     climb(which, 1.0 / (count - 1));
   }
@@ -245,8 +245,8 @@ private:
   /// From the best one along what the conditions' slopes promise, in ever smaller steps: where two
   /// of them meet, no choice alone leads on.
   void climb(const std::vector<std::size_t>& which, double step) {
-    using Rooms = std::array<double, 5>;       // of the conditions, and of the grip before the push
-    constexpr int ways = design_settings.ways; // of each choice, from - step to step
+    using Rooms = std::array<double, 5>; // of the conditions, and of the grip before the push
+    const int ways = design_settings.ways[which.size() > 4 ? 1 : 0]; // from - step to step
     for (int k = 0; k < design_settings.halvings && work_ > 0;) {
       const Best before = best_;
       const auto moved = [&](const Values& by) {

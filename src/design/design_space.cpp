@@ -1,5 +1,6 @@
 #include "design/design_space.hpp"
 
+#include "design/settings.hpp"
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
@@ -47,6 +48,9 @@ DesignSpace::DesignSpace(const VariedScene& scene, const std::vector<std::string
               (choices_[k].slopes.empty() || choices_.back().slopes.empty()))
             refuse(text, quoted(mine.path) + " is chosen twice");
   }
+  if (choices.size() > design_settings.most)
+    refuse(choices.back(),
+           "at most " + std::to_string(design_settings.most) + " numbers are chosen at once");
   const bool has_none = tolerances.empty() && scene.ranges().empty();
   const VariedScene ranges =
       with_tolerances(scene, has_none ? usual_tolerances(scene) : tolerances);
@@ -80,7 +84,8 @@ DesignSpace::Choice DesignSpace::read_choice(const std::string& text) const {
                      shown(choice.to) + "; the smaller number comes first");
   if (find_line(choice.path, choice)) return choice;
   const Parameter parameter = scene_.find(choice.path);
-  if (parameter.whole) refuse(text, "it counts something: try each number with --set");
+  if (parameter.whole || parameter.kind == Parameter::Kind::tangent_turn)
+    refuse(text, "it is no place, size or strength: try each value with --set");
   choice.given = parameter.value;
   choice.parameters = {parameter};
   if (parameter.kind == Parameter::Kind::number) choice.parameters = scene_.singles(choice.path);

@@ -1,6 +1,8 @@
 // The numbers of designs.
 #pragma once
 
+#include <cstddef>
+
 namespace lcpush::desktop {
 
 struct DesignSettings {
@@ -15,7 +17,8 @@ struct DesignSettings {
   int grid[5] = {17, 5, 3, 2, 2};
   int halvings = 24;       ///< of a step from the best one
   double enough = 1e6;     ///< N: room that does not matter
-  int ways = 9;            ///< that a choice may go in a step
+  int ways[2] = {9, 3};    ///< that each of a few choices, or of many, may go in a step
+  std::size_t most = 12;   ///< choices
   double beyond = 1e-6;    ///< over a margin: there it surely slips
   int curve_steps = 80;    ///< of a picture
   int break_halvings = 40; ///< of such a step, to where another condition binds

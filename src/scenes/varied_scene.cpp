@@ -195,10 +195,11 @@ bool operator==(const Place& a, const Place& b) {
 /// First the numbers, then what moves: a contact on a face is moved from where that then is.
 TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parameters,
                      const std::vector<double>& values) {
-  bool moves = false;
+  bool turns = false, turns_tangent = false;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const Parameter& parameter = parameters[k];
-    moves = moves || parameter.kind != Kind::number;
+    turns = turns || parameter.kind != Kind::number;
+    turns_tangent = turns_tangent || parameter.kind == Kind::tangent_turn;
     if (parameter.kind != Kind::number) continue;
     for (const Place& place : parameter.places)
       if (parameter.whole)
@@ -206,8 +207,9 @@ TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parame
       else
         set_number(value_at(document, place), values[k]);
   }
-  if (!moves) return document;
-  if (has_contacts_on_faces(document)) document = with_typed_places(std::move(document));
+  if (!turns) return document;
+  if (turns_tangent && has_contacts_on_faces(document))
+    document = with_typed_places(std::move(document));
   for (std::size_t k = 0; k < parameters.size(); ++k)
     for (const Place& place : parameters[k].places) {
       TomlTable& table = table_at(document, place);

@@ -158,7 +158,7 @@ class Design(ToolTest):
         for choice, said in (("wall.fricton=0.1:0.5", 'did you mean "wall.friction"'), ("wall.friction=0.5:0.1", "the smaller number comes first"),
                              ("wall.friction=0.3:0.3", "nothing to choose"), ("wall.friction=0.3", "write PATH=FROM:TO"),
                              ("wall.friction=a:b", '"a" is not a number'), ("wall.friction=-1:0.5", "friction must be >= 0"),
-                             ("wall.points=2:5", "it counts something"), ("left.grip_force=10:30", "both jaws share one grip_force")):
+                             ("wall.points=2:5", "no place, size or strength"), ("left.grip_force=10:30", "both jaws share one grip_force")):
             refused = run("design", NARROW, "--choose", choice)
             self.assertEqual((refused.returncode, refused.stdout), (2, ""), choice)
             self.assertIn(said, " ".join(refused.stderr.split()))
