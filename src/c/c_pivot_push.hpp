@@ -22,6 +22,14 @@ public:
   CPivotPush(Arena& arena, const Capacity& most)
       : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {}
 
+  /// Can its basis number so many of each, and bytes be counted of the exchanges' square?
+  static bool numbers(const Capacity& most) {
+    const AssemblySize size = Base::assembly_size(most);
+    constexpr Index most_exchanges = 1 << 13;
+    return SmallBasis<S>::numbers(size.unknowns(), size.points, size.actuators) &&
+           exchanges_of(size) < most_exchanges;
+  }
+
   /// In float, a ray of the limit of small pushes is more often rounding's than a jam, whatever it
   /// is covered with: then small pushes themselves are asked.
   Status break_grasp(const Body<S>& pusher, Breaking<S>& breaking) {
@@ -30,7 +38,7 @@ public:
     for (int attempt = 0; attempt < attempts; ++attempt, pads.exact_limit = false) {
       breaking = {};
       LemkeOptions<S> pivots = options(attempt);
-      if (breaks_exactly(Rounds{lemke_}, this->scene_, pads)) pivots.covers = 1;
+      if (breaks_exactly(Rounds{lemke_}, *this->scene_, pads)) pivots.covers = 1;
       status = find_breaking(this->assembly_, Rounds{lemke_, pivots}, this->work_, pusher, pads,
                              breaking, this->run_);
       if (status == Status::solved || status == Status::does_not_hold) break;
@@ -60,7 +68,7 @@ private:
   LemkeOptions<S> options(int attempt) const {
     LemkeOptions<S> options;
     options.first_cover = attempt * options.covers;
-    options.exchanges = exchanges_of(size_of(this->scene_));      // whatever the memory is for
+    options.exchanges = exchanges_of(size_of(*this->scene_));     // whatever the memory is for
     options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
     return options;
   }
@@ -79,7 +87,7 @@ private:
     if (attempt == 0 && !(this->last_.known && this->last_.guess == Guess::basis)) predict();
     PivotSolve& solve =
         solve_.make(this->assembly_, Pivots(lemke_, this->last_, options), this->work_.pressure,
-                    pads, this->work_.friction_memory(this->scene_));
+                    pads, this->work_.friction_memory(*this->scene_));
     this->status_ = solve.init();
   }
 

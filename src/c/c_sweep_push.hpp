@@ -14,6 +14,8 @@ public:
   CSweepPush(Arena& arena, const Capacity& most)
       : Push(arena, most, method), sweeps_(this->work_.sweep_scalars, this->work_.sweep_integers) {}
 
+  static bool numbers(const Capacity&) { return true; }
+
 private:
   BlockGaussSeidel<S> sweeps_;
 
@@ -34,7 +36,7 @@ private:
     for (;;) {
       this->status_ = solve_pressure(this->assembly_, SweepRounds<S>{sweeps_, options},
                                      this->work_.pressure, PressureOptions<S>(), this->run_,
-                                     this->work_.friction_memory(this->scene_));
+                                     this->work_.friction_memory(*this->scene_));
       this->run_.sweeps += sweeps;
       sweeps = this->run_.sweeps;
       const Status judged = this->conclude();

@@ -28,14 +28,13 @@ public:
   }
   /// The same of numbers, and of records that are all zeros when they begin: no loop for each type.
   template <class T> Span<T> zeros(Index count) {
-    void* const bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
-    return {static_cast<T*>(bytes), count};
+    Span<T> taken;
+    seat(taken, count);
+    return taken;
   }
 
   /// Zeros, an array of `count` for each of the spans.
-  template <class... T> void fill(Index count, Span<T>&... spans) {
-    ((spans = zeros<T>(count)), ...);
-  }
+  template <class... T> void fill(Index count, Span<T>&... spans) { (seat(spans, count), ...); }
 
   /// Bytes of zeros at an address that `alignment` divides; null, and exhausted(), if fewer are
   /// left.
@@ -53,10 +52,16 @@ public:
   }
 
   bool exhausted() const { return exhausted_; }
+  const Span<unsigned char>& rest() const { return rest_; }
 
 private:
   Span<unsigned char> rest_;
   bool exhausted_ = false;
+
+  template <class T> void seat(Span<T>& span, Index count) {
+    span.data = static_cast<T*>(take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T)));
+    span.size = count;
+  }
 };
 
 /// Integers of Lemke's: int, or as narrow as those of make_small_workspace.
