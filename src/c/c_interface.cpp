@@ -26,7 +26,9 @@ constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size,
   const Index structs = bodies * static_cast<Index>(sizeof(Body<S>)) +
                         size.points * static_cast<Index>(sizeof(Vector3<S>) + sizeof(S)) +
                         size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +
-                        size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns();
+                        size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns() +
+                        size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) +
+                        (size.generators + size.actuators) * static_cast<Index>(sizeof(S));
   return sizeof(Push) + sizeof(Scene<S>) <= LCPUSH_STATE_BYTES_(S) &&
          sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) && sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
          static_cast<Index>(bytes) >=
@@ -69,18 +71,17 @@ template <class S> void normalise(const Span<const Body<S>>& bodies, const Span<
   }
 }
 
-/// Can so many of each be counted in bytes, on 32 bits too? All take at least one, and few
-/// hundred each.
+/// Can so many of each be counted in bytes, on 32 bits too? Every force takes a byte or more by
+/// every drive, and all together a few hundred each.
 inline bool is_countable(const Capacity& most, std::size_t bytes) {
-  constexpr Index all = std::numeric_limits<Index>::max() / 512;
-  const Index end = bytes < static_cast<std::size_t>(all) ? static_cast<Index>(bytes) : all;
-  const auto product = [&](Index a, Index b) { return b > 0 && a > end / b ? end + 1 : a * b; };
+  constexpr Index most_of_one = 8191;
   for (const Index count :
        {most.bodies, most.points, most.facets, most.actuators, most.drives, most.pulls})
-    if (count < 0 || count > end) return false;
-  const Index forces = product(most.points + most.pulls, most.facets + 1);
-  return forces <= end && product(forces, most.drives) <= end &&
-         product(most.actuators, most.actuators) <= end;
+    if (count < 0 || count > most_of_one) return false;
+  const std::size_t end = std::numeric_limits<Index>::max() / 512;
+  const Index forces = (most.points + most.pulls) * (most.facets + 1);
+  return static_cast<std::size_t>(forces) <=
+         (bytes < end ? bytes : end) / static_cast<std::size_t>(most.drives + 1);
 }
 
 /// A push in the caller's memory; null if that is too short.
@@ -88,7 +89,7 @@ template <class Push> Push* make(void* memory, std::size_t bytes, const lcpush_s
   if (memory == nullptr || size == nullptr) return nullptr;
   const Capacity most{size->bodies,    size->points, size->facets,
                       size->actuators, size->drives, size->pulls};
-  if (!is_countable(most, bytes) || !Push::numbers(most)) return nullptr;
+  if (!is_countable(most, bytes)) return nullptr;
   Arena arena(static_cast<unsigned char*>(memory), static_cast<Index>(bytes));
   void* const place = arena.take_bytes(static_cast<Index>(sizeof(Push)), alignof(Push));
   if (place == nullptr) return nullptr;
@@ -149,6 +150,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
 }
 
 template <class S> Status command(CPush<S>& push, const S* forces, const S* accelerations) {
+  push.begin_command();
   const Mistake mistake = push.mistake_of(forces, accelerations);
   if (mistake != Mistake::none) return push.refuse(mistake);
   for (Index a = 0; forces != nullptr && a < push.given().actuators.size; ++a)

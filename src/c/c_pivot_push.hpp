@@ -22,14 +22,6 @@ public:
   CPivotPush(Arena& arena, const Capacity& most)
       : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {}
 
-  /// Can its basis number so many of each, and bytes be counted of the exchanges' square?
-  static bool numbers(const Capacity& most) {
-    const AssemblySize size = Base::assembly_size(most);
-    constexpr Index most_exchanges = 1 << 13;
-    return SmallBasis<S>::numbers(size.unknowns(), size.points, size.actuators) &&
-           exchanges_of(size) < most_exchanges;
-  }
-
   /// In float, a ray of the limit of small pushes is more often rounding's than a jam, whatever it
   /// is covered with: then small pushes themselves are asked.
   Status break_grasp(const Body<S>& pusher, Breaking<S>& breaking) {

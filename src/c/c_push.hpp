@@ -56,7 +56,7 @@ public:
   /// Cuts everything out of `arena`; complete() says whether it was enough.
   CPush(Arena& arena, const Capacity& most, const Method& method)
       : generators_(assembly_size(most).generators), pulls_(most.pulls), method_(&method),
-        scene_(arena.zeros<Scene<S>>(1).data),
+        kept_(take_answer(arena, most)), scene_(arena.zeros<Scene<S>>(1).data),
         bodies_(
             arena.zeros<Body<S>>(most.bodies < 2 * most.points ? most.bodies : 2 * most.points)),
         points_(arena.zeros<Vector3<S>>(most.points)), weights_(arena.zeros<S>(most.points)),
@@ -117,9 +117,18 @@ public:
     if (is_round) scene_->round_cones = {work_.round_cones.data, scene_->points.size};
     motion_ = nullptr;
     last_.known = false;
+    age_ = -1;
     return set_up(&assemble_anew);
   }
 
+  /// A tick is a command with the steps that follow, or a step alone.
+  void tick() {
+    if (age_ >= 0) ++age_;
+  }
+  void begin_command() {
+    tick();
+    commanded_ = true;
+  }
   /// What is wrong with such a command.
   Mistake mistake_of(const S* forces, const S* accelerations) const {
     if (given_.bodies.size == 0) return Mistake::not_described;
@@ -139,6 +148,8 @@ public:
 
   Status step(int pivots) {
     if (!described_) return refuse(Mistake::not_described);
+    if (!commanded_ && status_ != Status::solved) tick();
+    commanded_ = false;
     return status_ == Status::running && pivots > 0 ? method_->step(*this, pivots) : status_;
   }
 
@@ -162,6 +173,7 @@ public:
     status_ = method_->break_grasp != nullptr ? method_->break_grasp(*this, body, breaking)
                                               : by_pivots(body, breaking);
     residual_ = breaking.residuals.max();
+    if (status_ == Status::solved || status_ == Status::does_not_hold) keep();
     return status_;
   }
 
@@ -201,10 +213,9 @@ public:
 
   Status status() const { return status_; }
   Mistake mistake() const { return mistake_; }
-  bool has_answer() const {
-    return !moved_ && (status_ == Status::solved || status_ == Status::does_not_hold);
-  }
-  const Answer<S>& answer() const { return work_.answer; }
+  bool has_answer() const { return age_ >= 0; }
+  const Answer<S>& answer() const { return kept_; }
+  Index age() const { return age_; }
   const Given& given() const { return given_; }
   const Scene<S>& scene() const { return *scene_; } ///< as it is solved
   bool is_spread() const { return is_spread_; }
@@ -214,14 +225,20 @@ public:
     return scene;
   }
   const PressureRun& run() const { return run_; }
-  S residual() const { return residual_; }
+  /// Of an older answer as one to the present command.
+  S residual() const {
+    return age_ > 0 ? check(*scene_, assembly_.layout().scales, kept_, S(1)).max() : residual_;
+  }
 
 protected:
   Index generators_, pulls_; ///< at most
   const Method* method_;
   bool described_ = false, is_spread_ = false;
-  bool begun_ = false; ///< a solve has begun and the scene is still the same
-  Scene<S>* scene_;    ///< as it is solved
+  bool begun_ = false;     ///< a solve has begun and the scene is still the same
+  bool commanded_ = false; ///< since the last step
+  Answer<S> kept_;         ///< the last answer; work_'s is a solve's scratch
+  Index age_ = -1;         ///< of kept_, in ticks; -1: there is none
+  Scene<S>* scene_;        ///< as it is solved
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<S> weights_;
@@ -245,11 +262,32 @@ protected:
     if (status_ != Status::solved) return status_;
     read_answer(assembly_, work_.pressure.z.data, work_.answer, S(1));
     residual_ = check(*scene_, assembly_.layout().scales, work_.answer, S(1)).max();
-    if (!(residual_ <= Tolerances<S>().residual)) status_ = Status::numerical_breakdown;
+    if (!(residual_ <= Tolerances<S>().residual)) return status_ = Status::numerical_breakdown;
+    keep();
     return status_;
+  }
+  void keep() {
+    const Answer<S>& found = work_.answer;
+    kept_.acceleration = found.acceleration;
+    copy(found.contacts, kept_.contacts);
+    copy(found.friction, kept_.friction);
+    copy(found.closing, kept_.closing);
+    age_ = 0;
+  }
+  template <class T> static void copy(const Span<T>& from, const Span<T>& to) {
+    std::memcpy(static_cast<void*>(to.data), from.data,
+                static_cast<std::size_t>(to.size) * sizeof(T));
   }
 
 private:
+  static Answer<S> take_answer(Arena& arena, const Capacity& most) {
+    Answer<S> answer;
+    arena.fill(most.points, answer.contacts);
+    arena.fill(most.points * most.facets, answer.friction);
+    arena.fill(most.actuators, answer.closing);
+    return answer;
+  }
+
   /// By a pointer: what never commands links nothing for it.
   Status set_up(void (*assemble)(CPush&)) {
     begun_ = false;

@@ -14,8 +14,6 @@ public:
   CSweepPush(Arena& arena, const Capacity& most)
       : Push(arena, most, method), sweeps_(this->work_.sweep_scalars, this->work_.sweep_integers) {}
 
-  static bool numbers(const Capacity&) { return true; }
-
 private:
   BlockGaussSeidel<S> sweeps_;
 

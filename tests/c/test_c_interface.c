@@ -113,6 +113,47 @@ static void obeys_commands(void) {
   CHECK(contact.normal_force == 0);
 }
 
+/* Whatever happens to later solves: the forces stay, and it is told how old and how wrong they are
+ * by now. */
+static void keeps_the_last_answer(void) {
+  const double forces[2] = {30, 30}, wrong[2] = {NAN, 20};
+  const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  lcpush_contact contact;
+  double wrench[6], exact;
+  int k;
+  CHECK(lcpush_age(push) == -1);
+  (void)lcpush_describe(push, &slide_d);
+  CHECK(lcpush_age(push) == -1 && lcpush_solve(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
+  exact = lcpush_residual(push);
+  for (k = 1; k < 4; ++k) { /* refused: they are as right as they were */
+    CHECK(lcpush_command(push, wrong, NULL) == LCPUSH_BAD_INPUT && lcpush_age(push) == k);
+    CHECK(lcpush_step(push, 1) == LCPUSH_SOLVED && lcpush_age(push) == k);
+    CHECK(near(lcpush_residual(push), exact, 1e-9));
+  }
+  lcpush_limit(push, 1);
+  for (k = 4; k < 7; ++k) { /* interrupted, again and again */
+    CHECK(lcpush_command(push, forces, backwards[0]) == LCPUSH_RUNNING);
+    CHECK(lcpush_age(push) == k && lcpush_residual(push) > 0.1);
+    CHECK(lcpush_step(push, 1) == LCPUSH_RUNNING && lcpush_age(push) == k);
+    lcpush_wrench_of(push, 2, wrench);
+    lcpush_contact_at(push, 0, &contact);
+    CHECK(near(wrench[0], 20.02, 1e-9) && near(contact.friction_force[0], -10, 1e-9));
+    CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9) && contact.mode == LCPUSH_SLIDE);
+  }
+  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_age(push) == 7);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(near(contact.normal_force, 20.02, 1e-9) && contact.body == 2);
+  lcpush_limit(push, 0);
+  CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING && lcpush_age(push) == 8);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(contact.mode == LCPUSH_SEPARATE && lcpush_residual(push) < 1e-9);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING && lcpush_age(push) == -1);
+  lcpush_contact_at(push, 0, &contact);
+  CHECK(contact.normal_force == 0); /* another scene's */
+}
+
 static void commands_go_on_from_the_last_basis(void) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   const double forces[2] = {22, 22};
@@ -534,6 +575,7 @@ int main(void) {
   solves_in_float();
   steps_as_it_solves();
   obeys_commands();
+  keeps_the_last_answer();
   commands_go_on_from_the_last_basis();
   breaks_the_grasp();
   sweeps_agree();

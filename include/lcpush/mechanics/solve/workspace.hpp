@@ -41,7 +41,7 @@ public:
   void* take_bytes(Index count, std::size_t alignment) {
     const auto address = reinterpret_cast<std::uintptr_t>(rest_.data);
     const Index skip = static_cast<Index>((alignment - address % alignment) % alignment);
-    if (skip + count > rest_.size) {
+    if (count < 0 || count > rest_.size - skip) {
       exhausted_ = true;
       return nullptr;
     }
@@ -59,7 +59,9 @@ private:
   bool exhausted_ = false;
 
   template <class T> void seat(Span<T>& span, Index count) {
-    span.data = static_cast<T*>(take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T)));
+    // A product that no Index holds is below 0.
+    const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(T);
+    span.data = static_cast<T*>(take_bytes(static_cast<Index>(bytes), alignof(T)));
     span.size = count;
   }
 };
