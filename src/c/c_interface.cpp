@@ -153,11 +153,16 @@ template <class S> Status command(CPush<S>& push, const S* forces, const S* acce
   push.begin_command();
   const Mistake mistake = push.mistake_of(forces, accelerations);
   if (mistake != Mistake::none) return push.refuse(mistake);
+  bool changes = !push.is_under_way();
+  const auto take = [&](S& number, const S& commanded) {
+    changes |= number != commanded;
+    number = commanded;
+  };
   for (Index a = 0; forces != nullptr && a < push.given().actuators.size; ++a)
-    push.force(a) = forces[a];
-  for (Index b = 0; accelerations != nullptr && b < push.given().bodies.size; ++b)
-    push.acceleration(b) = Eigen::Map<const Vector6<S>>(accelerations + 6 * b);
-  return push.take_command();
+    take(push.force(a), forces[a]);
+  for (Index i = 0; accelerations != nullptr && i < 6 * push.given().bodies.size; ++i)
+    take(push.acceleration(i / 6)[i % 6], accelerations[i]);
+  return changes ? push.take_command() : Status::running;
 }
 
 /// The body of the scene as it was described: under even pressure every point is a body of its own.

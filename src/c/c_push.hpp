@@ -2,7 +2,9 @@
 // answer. How it is solved is c_pivot_push.hpp's, or c_sweep_push.hpp's.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
+#include <limits>
 #include <new>
 
 #include "c_motion.hpp"
@@ -85,7 +87,7 @@ public:
   // there begins anew. accept() takes it, or the scene that was there stays.
   Scene<S>* new_scene() const { return beyond(Span<Scene<S>>{scene_, 1}, 1).data; }
   Span<Body<S>> new_bodies(Index count) {
-    begun_ = false;
+    forget_solve();
     return beyond(bodies_, count);
   }
   Span<Vector3<S>> new_points(Index count) { return beyond(points_, count); }
@@ -107,8 +109,7 @@ public:
     bool is_spread;
     if (!fits(scene, is_spread)) return refuse(Mistake::memory_too_small);
     is_spread_ = is_spread;
-    const Index bytes = last_.active.data - reinterpret_cast<unsigned char*>(scene_);
-    std::memcpy(static_cast<void*>(scene_), &scene, static_cast<std::size_t>(bytes));
+    copy_words(scene_, &scene, last_.active.data);
     given_ = {{bodies_.data, scene.bodies.size},
               {actuators_.data, scene.actuators.size},
               {drives_.data, scene.drives.size},
@@ -144,22 +145,22 @@ public:
   S& force(Index actuator) { return actuators_[actuator].force; }
   Vector6<S>& acceleration(Index body) { return bodies_[body].acceleration; }
   /// Its grip forces or motions have changed.
-  Status take_command() { return set_up(&assemble_command); }
+  Status take_command() {
+    goes_on_ = goes_on_ || is_under_way();
+    return set_up(&assemble_command);
+  }
+
+  bool is_under_way() const { return begun_ && (status_ == Status::running || is_interrupted_); }
 
   Status step(int pivots) {
     if (!described_) return refuse(Mistake::not_described);
     if (!commanded_ && status_ != Status::solved) tick();
     commanded_ = false;
+    if (is_interrupted_) status_ = Status::running;
     return status_ == Status::running && pivots > 0 ? method_->step(*this, pivots) : status_;
   }
 
-  Status solve() {
-    constexpr int many = 1 << 20;
-    Status status;
-    do status = step(many);
-    while (status == Status::running);
-    return status;
-  }
+  Status solve() { return step(std::numeric_limits<int>::max()); }
 
   /// `by_pivots(pusher, breaking)` unless this push has another method.
   template <class ByPivots>
@@ -168,7 +169,7 @@ public:
     if (!described_) return refuse(Mistake::not_described);
     if (pusher < 0 || pusher >= given_.bodies.size) return refuse(Mistake::index);
     if (!(push_size(*scene_) > S(0))) return refuse(Mistake::nothing_moves);
-    begun_ = false;
+    forget_solve();
     const Body<S>& body = given_.bodies[pusher];
     status_ = method_->break_grasp != nullptr ? method_->break_grasp(*this, body, breaking)
                                               : by_pivots(body, breaking);
@@ -182,13 +183,14 @@ public:
     if (!described_) return refuse(Mistake::not_described);
     if (!method_->takes_motions) return refuse(Mistake::unsupported);
     Mistake mistake = Mistake::none;
+    forget_solve();
     CMotion<S>* const motion = begin_motion(as_given(), work_, arena, mistake);
     if (motion == nullptr) {
       if (mistake != Mistake::memory_too_small) (void)set_up(&assemble_anew);
       return refuse(mistake);
     }
     motion_ = motion;
-    begun_ = described_ = false; // its equations' arrays are the motion's from now on
+    described_ = false; // its equations' arrays are the motion's from now on
     moved_ = true;
     last_.known = false;
     return status_ = Status::running;
@@ -197,7 +199,8 @@ public:
   Status advance(S h) {
     if (motion_ == nullptr) return refuse(Mistake::not_described);
     if (!(h > S(0)) || !detail::is_finite(h)) return refuse(Mistake::not_finite);
-    begun_ = described_ = false;
+    forget_solve();
+    described_ = false;
     moved_ = true;
     status_ = motion_->motion.advance(h);
     const StepRun<S>& step = motion_->motion.run();
@@ -234,11 +237,13 @@ protected:
   Index generators_, pulls_; ///< at most
   const Method* method_;
   bool described_ = false, is_spread_ = false;
-  bool begun_ = false;     ///< a solve has begun and the scene is still the same
-  bool commanded_ = false; ///< since the last step
-  Answer<S> kept_;         ///< the last answer; work_'s is a solve's scratch
-  Index age_ = -1;         ///< of kept_, in ticks; -1: there is none
-  Scene<S>* scene_;        ///< as it is solved
+  bool begun_ = false;          ///< a solve has begun and the scene is still the same
+  bool is_interrupted_ = false; ///< by limit(): the next step goes on
+  bool goes_on_ = false;        ///< the solver has a basis of a solve that a command has ended
+  bool commanded_ = false;      ///< since the last step
+  Answer<S> kept_;              ///< the last answer; work_'s is a solve's scratch
+  Index age_ = -1;              ///< of kept_, in ticks; -1: there is none
+  Scene<S>* scene_;             ///< as it is solved
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<S> weights_;
@@ -269,17 +274,22 @@ protected:
   void keep() {
     const Answer<S>& found = work_.answer;
     kept_.acceleration = found.acceleration;
-    copy(found.contacts, kept_.contacts);
-    copy(found.friction, kept_.friction);
-    copy(found.closing, kept_.closing);
+    copy_words(kept_.contacts.data, found.contacts.data, kept_.friction.end()); // and friction
+    copy_words(kept_.closing.data, found.closing.data, kept_.closing.end());
     age_ = 0;
   }
-  template <class T> static void copy(const Span<T>& from, const Span<T>& to) {
-    std::memcpy(static_cast<void*>(to.data), from.data,
-                static_cast<std::size_t>(to.size) * sizeof(T));
+  /// Up to `end` of the first: word by word, which a device's memcpy may not be.
+  static void copy_words(void* to, const void* from, const void* end) {
+    char* const words = static_cast<char*>(to);
+    const std::ptrdiff_t bytes = static_cast<const char*>(end) - words;
+    for (std::ptrdiff_t i = 0; i < bytes; i += 4)
+      std::memcpy(words + i, static_cast<const char*>(from) + i, 4);
   }
 
 private:
+  /// The solver's memory is about to be something else's.
+  void forget_solve() { begun_ = goes_on_ = is_interrupted_ = false; }
+
   static Answer<S> take_answer(Arena& arena, const Capacity& most) {
     Answer<S> answer;
     arena.fill(most.points, answer.contacts);
@@ -289,15 +299,14 @@ private:
   }
 
   /// By a pointer: what never commands links nothing for it.
-  Status set_up(void (*assemble)(CPush&)) {
-    begun_ = false;
+  Status set_up(bool (*assemble)(CPush&)) {
+    begun_ = is_interrupted_ = false;
     give_back(*scene_);
     const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
                                 rest(actuators_, given_.actuators.size),
                                 rest(drives_, given_.drives.size)};
     if (is_spread_) (void)spread_evenly(*scene_, further, *scene_);
-    assemble(*this);
-    described_ = true;
+    described_ = assemble(*this); // it has to fit
     moved_ = false;
     mistake_ = Mistake::none;
     run_ = {};
@@ -310,11 +319,14 @@ private:
     return {static_cast<T*>(bytes), count};
   }
 
-  static void assemble_anew(CPush& push) { (void)push.assembly_.assemble(*push.scene_); }
+  static bool assemble_anew(CPush& push) {
+    return push.assembly_.assemble(*push.scene_) == Status::running;
+  }
   /// A motion's steps write into the same arrays.
-  static void assemble_command(CPush& push) {
+  static bool assemble_command(CPush& push) {
     if (push.moved_) return assemble_anew(push);
     push.assembly_.command();
+    return true;
   }
 
   /// What spreading has replaced.

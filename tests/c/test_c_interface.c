@@ -113,10 +113,51 @@ static void obeys_commands(void) {
   CHECK(contact.normal_force == 0);
 }
 
+/* A limit interrupts: the same pivots as without, one a tick. And commands that change a little
+ * every tick come to an end as well, or a gripper would never have an answer. */
+static void goes_on_after_a_limit(void) {
+  double forces[2] = {20, 20};
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  lcpush_body bodies[3];
+  const lcpush_scene scene = leaving(bodies);
+  lcpush_contact whole, stepped;
+  int pivots, ticks, law;
+  for (law = LCPUSH_PAD; law <= LCPUSH_RIGID; law += LCPUSH_RIGID) {
+    lcpush_scene other = scene;
+    other.pressure = law;
+    lcpush_limit(push, 0);
+    (void)lcpush_describe(push, &other);
+    CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+    lcpush_contact_at(push, 0, &whole);
+    pivots = lcpush_pivots(push);
+    CHECK(pivots > 2);
+    lcpush_limit(push, 1);
+    (void)lcpush_describe(push, &other);
+    for (ticks = 1; lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && ticks < 99; ++ticks) {
+      CHECK(lcpush_pivots(push) == ticks);
+      CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING); /* as it was */
+    }
+    lcpush_contact_at(push, 0, &stepped);
+    CHECK(lcpush_status_of(push) == LCPUSH_SOLVED && lcpush_pivots(push) == pivots);
+    CHECK(memcmp(&whole, &stepped, sizeof whole) == 0);
+    (void)lcpush_describe(push, &other);
+    for (ticks = 1; lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && ticks < 99; ++ticks) {
+      forces[0] = forces[1] = 20 + 0.01 * ticks;
+      CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING);
+      lcpush_limit(push, pivots - 1);
+    }
+    CHECK(lcpush_status_of(push) == LCPUSH_SOLVED && ticks < 5);
+    lcpush_contact_at(push, 1, &stepped);
+    CHECK(near(stepped.normal_force, forces[1], 1e-9));
+    forces[0] = forces[1] = 20;
+  }
+}
+
 /* Whatever happens to later solves: the forces stay, and it is told how old and how wrong they are
  * by now. */
 static void keeps_the_last_answer(void) {
-  const double forces[2] = {30, 30}, wrong[2] = {NAN, 20};
+  const double wrong[2] = {NAN, 20};
+  double forces[2] = {30, 30};
   const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   lcpush_contact contact;
@@ -133,6 +174,7 @@ static void keeps_the_last_answer(void) {
   }
   lcpush_limit(push, 1);
   for (k = 4; k < 7; ++k) { /* interrupted, again and again */
+    forces[0] = 20 + k;
     CHECK(lcpush_command(push, forces, backwards[0]) == LCPUSH_RUNNING);
     CHECK(lcpush_age(push) == k && lcpush_residual(push) > 0.1);
     CHECK(lcpush_step(push, 1) == LCPUSH_RUNNING && lcpush_age(push) == k);
@@ -575,6 +617,7 @@ int main(void) {
   solves_in_float();
   steps_as_it_solves();
   obeys_commands();
+  goes_on_after_a_limit();
   keeps_the_last_answer();
   commands_go_on_from_the_last_basis();
   breaks_the_grasp();

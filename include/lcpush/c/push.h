@@ -92,16 +92,18 @@ LCPUSH_NAME(push) *
  * O(forces drives). */
 lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(scene) * scene);
 
-/* New grip forces and prescribed accelerations for the same contacts, without another check of the
- * rest: for control loops. A force an actuator, six numbers of acceleration a body, in the scene's
- * order; either may be NULL: as they were. The solve starts where the last one ended, most often a
- * few pivots away. Where several forces or motions obey the laws, it stays with the last ones:
- * lcpush_describe forgets them. */
+/* New grip forces and prescribed accelerations for the same contacts: for control loops. A force an
+ * actuator, six numbers of acceleration a body, in the scene's order; either may be NULL: as they
+ * were. The solve starts where the last one ended, most often a few pivots away. Where several
+ * forces or motions obey the laws, it stays with the last ones: lcpush_describe forgets them. A
+ * solve that is under way ends; the new one begins at its basis, mostly nearer to the end. Only a
+ * command that changes nothing lets it go on. */
 lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
                                    const LCPUSH_REAL* accelerations);
 
-/* At most `pivots` steps of one pivot each, the first call after describe or command starts; a push
- * made for sweeps solves all at once. RUNNING, or how the solve ended. Cost of a step: O(n) and
+/* At most `pivots` steps of one pivot each, the first call after describe or command starts and the
+ * next ones go on; a push made for sweeps solves all at once. RUNNING, or how the solve ended. With
+ * pivots <= 0 it says so and does nothing. Cost of a step: O(n) and
  * O(points^2). At the end of a round of the pad law, or when a basis is factored afresh, O(n) and
  * O(points^3). */
 lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots);
@@ -114,7 +116,9 @@ lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push);
 lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
                                        LCPUSH_NAME(breaking) * breaking);
 
-/* The most pivots a solve may take altogether; 0, the default: each run's own limit alone. */
+/* The most pivots a solve may take before it says PIVOT_LIMIT; 0, the default: each run's own limit
+ * alone. The next lcpush_step or lcpush_solve goes on where it was interrupted, for as many again.
+ */
 void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots);
 
 /* The last answer: of the last solve that ended in SOLVED, or of lcpush_break_grasp, since

@@ -131,7 +131,7 @@ public:
 private:
   Span<S> scalars_;
   Span<Int> integers_;
-  Problem<S> problem_;
+  LCPUSH_SEATED(Problem<S>, problem_);
   LemkeOptions<S> options_;
   Index n_ = 0;
   Index rhs_count_ = 1;
@@ -164,7 +164,8 @@ private:
   LCPUSH_SEATED(VectorMap<S>, trial_);
   LCPUSH_SEATED(VectorMap<S>, product_);
   LCPUSH_SEATED(VectorMap<S>, scratch_);
-  Span<Int> candidates_, target_;
+  LCPUSH_SEATED(Span<Int>, candidates_);
+  LCPUSH_SEATED(Span<Int>, target_);
 
   // The pivots.
   template <class Watcher> Status start(Watcher& watcher);

@@ -48,7 +48,7 @@ namespace detail {
 
 /// And not so large that the square of a product of two overflows: 4e9 in float.
 template <class S> bool is_finite(const S& x) {
-  const S power = x * x * x * x;
+  const S square = x * x, power = square * square;
   return power - power == S(0);
 }
 template <class V> bool all_finite(const V& v) {

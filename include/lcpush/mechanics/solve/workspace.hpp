@@ -158,8 +158,8 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
 template <class S> Workspace<S> take_alone(Arena& arena, const AssemblySize& size) {
   Workspace<S> w = take_common<S>(arena, size);
   arena.fill(size.points, w.answer.contacts);
-  arena.fill(size.unknowns(), w.pressure.z);
   arena.fill(size.generators, w.answer.friction);
+  arena.fill(size.unknowns(), w.pressure.z);
   return w;
 }
 
