@@ -8,8 +8,11 @@
  *     static double memory[LCPUSH_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
  *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
  *     lcpush_describe(push, &scene);
- *     while (lcpush_step(push, 10) == LCPUSH_RUNNING) other_work();       or lcpush_solve(push)
- *     lcpush_contact_at(push, 0, &contact);
+ *     for (;;) {                                                            a control loop
+ *       if (lcpush_status_of(push) != LCPUSH_RUNNING) lcpush_command(push, forces, motions);
+ *       lcpush_step(push, 20);                                              pivots a tick
+ *       if (lcpush_age(push) >= 0) lcpush_contact_at(push, 0, &contact);    the last answer
+ *     }
  *
  * SI units; positions from the object's centre of mass; scene axes, fixed to the hand. A twist is
  * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and
@@ -94,7 +97,7 @@ typedef struct lcpush_size {
 
 /* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
  * pulls; a constant expression. O(points facets): 3 bodies, 10 points, 8 facets and 2 actuators are
- * 16 KB in float. At most 16383 unknowns and 2047 points. */
+ * 17 KB in float. At most 16383 unknowns and 2047 points. */
 #define LCPUSH_BYTES(real, bodies, points, facets, actuators, drives)                              \
   (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
                         (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \

@@ -69,6 +69,12 @@ public:
         new_scene_((last_.active.size + arena.rest().size) & -widest_alignment<S>()),
         work_(method.take(arena, assembly_size(most))), assembly_(work_.assembly) {}
 
+  /// As find_mistake wants numbers: what becomes of them does not overflow.
+  static bool is_finite(const S& x) {
+    const S square = x * x, power = square * square;
+    return power - power == S(0);
+  }
+
   static AssemblySize assembly_size(const Capacity& most) {
     return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
   }
@@ -134,11 +140,11 @@ public:
   Mistake mistake_of(const S* forces, const S* accelerations) const {
     if (given_.bodies.size == 0) return Mistake::not_described;
     for (Index a = 0; forces != nullptr && a < given_.actuators.size; ++a) {
-      if (!detail::is_finite(forces[a])) return Mistake::not_finite;
+      if (!is_finite(forces[a])) return Mistake::not_finite;
       if (forces[a] < S(0)) return Mistake::actuator;
     }
     for (Index i = 0; accelerations != nullptr && i < 6 * given_.bodies.size; ++i)
-      if (!detail::is_finite(accelerations[i])) return Mistake::not_finite;
+      if (!is_finite(accelerations[i])) return Mistake::not_finite;
     return Mistake::none;
   }
   // What a command changes.
@@ -198,7 +204,7 @@ public:
 
   Status advance(S h) {
     if (motion_ == nullptr) return refuse(Mistake::not_described);
-    if (!(h > S(0)) || !detail::is_finite(h)) return refuse(Mistake::not_finite);
+    if (!(h > S(0)) || !is_finite(h)) return refuse(Mistake::not_finite);
     forget_solve();
     described_ = false;
     moved_ = true;
