@@ -79,5 +79,12 @@ class Canonical(ToolTest):
         for table in scored("--table")[1].strip().split("\n\n"):
             self.assertIn(table, PAGE)
 
+    def test_a_picture_leaves_a_table_level_under_what_tips_or_flies(self):
+        for name, time in (("tray_tips", 0.2), ("thrown_up", 0.3)):
+            svg = run("move", FOLDER / f"{name}.toml", "--time", time, "--format", "svg").stdout
+            pad = re.search(r'class="pad [^"]*" points="([^"]*)"', svg)[1]
+            heights = [float(y) for y in re.findall(r",(\S+)", pad)]
+            self.assertLess(max(heights) - min(heights), 15, name)  # its thickness is 9
+
 
 main()
