@@ -1,4 +1,5 @@
-/* How hard does a pusher press on a bar of 0.2 kg between two point fingers of 20 N? */
+/* How hard does a pusher press on a bar of 0.2 kg between two point fingers of 20 N? A control loop
+ * with a new command and a budget each tick, and what it does where there is no answer in time. */
 #include <lcpush/lcpush.h>
 #if __STDC_HOSTED__
 #include <stdio.h>
@@ -22,27 +23,44 @@ static const lcpushf_scene scene = {
     .bodies = bodies, .body_count = 3, .points = points, .point_count = 3,
     .actuators = actuators, .actuator_count = 2, .drives = drives, .drive_count = 2};
 
+enum { BUDGET = 2, OLDEST = 3, TICKS = 8 }; /* pivots a tick; ticks; */
+
+/* What the controller wants in a tick: a firmer grip, then the pusher back. Yours reads sensors. */
+static void wanted(int tick, float forces[2], float accelerations[18]) {
+  forces[0] = forces[1] = (tick < 3) ? 20.0f : 25.0f;
+  accelerations[12] = (tick < 5) ? 0.1f : -0.1f;
+}
+
 extern volatile float newtons;
 volatile float newtons; /* what the controller hands on */
 
 int main(void) {
   lcpushf_push* push = lcpushf_make(memory, sizeof memory, &size);
   lcpush_status status = LCPUSH_BAD_INPUT; /* no push: LCPUSH_BYTES is for fewer contacts than size */
-  float wrench[6];
-  int ticks = 0;
+  float forces[2] = {0}, accelerations[18] = {0}, wrench[6];
+  int tick;
   if (push != NULL) {
     status = lcpushf_describe(push, &scene); /* lcpushf_why says what is wrong */
   }
-  while (status == LCPUSH_RUNNING) { /* a control loop: four pivots a tick */
-    status = lcpushf_step(push, 4);
-    ++ticks;
+  if (status != LCPUSH_RUNNING) {
+    return 1;
   }
-  if (status == LCPUSH_SOLVED) {
-    lcpushf_wrench_of(push, 2, wrench);
-    newtons = wrench[0];
+  for (tick = 0; tick < TICKS; ++tick) {
+    wanted(tick, forces, accelerations);
+    if (status != LCPUSH_RUNNING || tick == 0) { /* a solve that is under way ends first */
+      (void)lcpushf_command(push, forces, accelerations); /* refused: the command before stands */
+    }
+    status = lcpushf_step(push, BUDGET);
+    if ((lcpushf_age(push) < 0) || (lcpushf_age(push) > OLDEST)) {
+      newtons = 0; /* nothing to go by: stop the push, in your robot's way */
+    } else { /* this tick's answer, or the last one */
+      lcpushf_wrench_of(push, 2, wrench);
+      newtons = wrench[0];
+    }
 #if __STDC_HOSTED__
-    (void)printf("%.2f N after %d pivots in %d ticks\n", (double)newtons, lcpushf_pivots(push), ticks);
+    (void)printf("tick %d: %s, %.2f N, %d old\n", tick, lcpush_status_text(status), (double)newtons,
+                 lcpushf_age(push));
 #endif
-  } /* or lcpush_status_text(status) says why not */
+  }
   return (status == LCPUSH_SOLVED) ? 0 : 1;
 }

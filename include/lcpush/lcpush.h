@@ -8,8 +8,11 @@
  *     static double memory[LCPUSH_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
  *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
  *     lcpush_describe(push, &scene);
- *     while (lcpush_step(push, 10) == LCPUSH_RUNNING) other_work();       or lcpush_solve(push)
- *     lcpush_contact_at(push, 0, &contact);
+ *     for (;;) {                                                            a control loop
+ *       if (lcpush_status_of(push) != LCPUSH_RUNNING) lcpush_command(push, forces, motions);
+ *       lcpush_step(push, 20);                                              pivots a tick
+ *       if (lcpush_age(push) >= 0) lcpush_contact_at(push, 0, &contact);    the last answer
+ *     }
  *
  * SI units; positions from the object's centre of mass; scene axes, fixed to the hand. A twist is
  * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and
@@ -24,8 +27,11 @@
 extern "C" {
 #endif
 
+/* Enumerations are ints, whatever a compiler makes of an enum: structs have one layout. */
+
 /* How a call ended; the order is that of lcpush::Status. */
-typedef enum lcpush_status {
+typedef int lcpush_status;
+enum {
   LCPUSH_RUNNING,             /* not finished: step again */
   LCPUSH_SOLVED,              /* an answer was found and passed the check of every law */
   LCPUSH_DOES_NOT_HOLD,       /* break: the object moves before it is pushed */
@@ -36,13 +42,15 @@ typedef enum lcpush_status {
   LCPUSH_NUMERICAL_BREAKDOWN, /* an answer or a ray was reached, but it fails its check */
   LCPUSH_BAD_INPUT,           /* see lcpush_mistake_text */
   LCPUSH_NOT_SETTLED          /* LCPUSH_ROUND: slips turn from round to round without end */
-} lcpush_status;
+};
 
 /* What is wrong with the input. */
-typedef enum lcpush_mistake {
+typedef int lcpush_mistake;
+enum {
   LCPUSH_NO_MISTAKE,
   LCPUSH_MEMORY_TOO_SMALL, /* more than lcpush_size says, or than the bytes given hold */
-  LCPUSH_NOT_FINITE,       /* a number is NaN or infinite, or overflows when scaled */
+  LCPUSH_NOT_FINITE,       /* a number is NaN or infinite, or so large that its fourth
+                              power is */
   LCPUSH_BAD_MASS,         /* mass <= 0, or an inertia that is not positive definite */
   LCPUSH_BAD_FACETS,       /* not even, or outside of 4..256 */
   LCPUSH_BAD_DIRECTION,    /* a zero normal, or a tangent along it */
@@ -50,19 +58,21 @@ typedef enum lcpush_mistake {
   LCPUSH_BAD_INDEX,        /* a body without points, or an index outside of its array */
   LCPUSH_BAD_ACTUATOR,     /* force or inertia < 0, or nothing that it drives */
   LCPUSH_UNSUPPORTED,      /* a soft contact of several points; even with a shared actuator or a
-                              preload; a preload on a driven body */
+                              preload; a preload on a driven body; a role, pressure or riding that
+                              there is not */
   LCPUSH_NOTHING_MOVES,    /* break: no pusher has an acceleration */
-  LCPUSH_NOT_DESCRIBED,    /* lcpush_describe was not called, or has failed */
+  LCPUSH_NOT_DESCRIBED,    /* lcpush_describe was not called, or has never succeeded */
   LCPUSH_BAD_WEIGHTS,      /* a weight <= 0 */
   LCPUSH_BAD_AIMS          /* not this interface's */
-} lcpush_mistake;
+};
 
-typedef enum lcpush_role { LCPUSH_FINGER, LCPUSH_PUSHER } lcpush_role;
-typedef enum lcpush_pressure { LCPUSH_PAD, LCPUSH_EVEN, LCPUSH_RIGID } lcpush_pressure;
-typedef enum lcpush_mode { LCPUSH_STICK, LCPUSH_SLIDE, LCPUSH_SEPARATE } lcpush_mode;
+typedef int lcpush_role, lcpush_pressure, lcpush_mode, lcpush_riding;
+enum { LCPUSH_FINGER, LCPUSH_PUSHER };
+enum { LCPUSH_PAD, LCPUSH_EVEN, LCPUSH_RIGID };
+enum { LCPUSH_STICK, LCPUSH_SLIDE, LCPUSH_SEPARATE };
 /* In a motion: a body's points ride on the body and press on the object's faces, or the object's
  * points ride on the object and press on the body's plane. */
-typedef enum lcpush_riding { LCPUSH_ON_BODY, LCPUSH_ON_OBJECT } lcpush_riding;
+enum { LCPUSH_ON_BODY, LCPUSH_ON_OBJECT };
 /* As a scene's facets: friction is round. It takes the memory of 8 facets. */
 #define LCPUSH_ROUND (-8)
 /* Where a body is asked for: the object. */
@@ -87,7 +97,7 @@ typedef struct lcpush_size {
 
 /* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
  * pulls; a constant expression. O(points facets): 3 bodies, 10 points, 8 facets and 2 actuators are
- * 16 KB in float. At most 16383 unknowns and 2047 points. */
+ * 17 KB in float. At most 16383 unknowns and 2047 points. */
 #define LCPUSH_BYTES(real, bodies, points, facets, actuators, drives)                              \
   (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
                         (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \

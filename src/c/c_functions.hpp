@@ -55,7 +55,7 @@ void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6
 void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point,
                              LCPUSH_NAME(contact) * out) {
   *out = LCPUSH_NAME(contact)();
-  if (!push->has_answer() || point < 0 || point >= push->answer().contacts.size) return;
+  if (!push->has_answer() || point < 0 || point >= push->scene().points.size) return;
   const lcpush::ContactAnswer<LCPUSH_REAL>& contact = push->answer().contacts[point];
   out->body = static_cast<int>(lcpush::c::described_body(*push, point));
   out->mode = static_cast<lcpush_mode>(contact.mode);
@@ -74,6 +74,8 @@ LCPUSH_REAL LCPUSH_NAME(closing_of)(const LCPUSH_NAME(push) * push, int actuator
 }
 
 LCPUSH_REAL LCPUSH_NAME(residual)(const LCPUSH_NAME(push) * push) { return push->residual(); }
+
+int LCPUSH_NAME(age)(const LCPUSH_NAME(push) * push) { return static_cast<int>(push->age()); }
 
 lcpush_status LCPUSH_NAME(status_of)(const LCPUSH_NAME(push) * push) {
   return lcpush::c::as_c(push->status());

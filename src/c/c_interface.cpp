@@ -5,7 +5,7 @@
 #include "c_sweep_push.hpp"
 
 #include <cstring>
-#include <type_traits>
+#include <limits>
 
 namespace lcpush::c {
 namespace {
@@ -26,36 +26,31 @@ constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size,
   const Index structs = bodies * static_cast<Index>(sizeof(Body<S>)) +
                         size.points * static_cast<Index>(sizeof(Vector3<S>) + sizeof(S)) +
                         size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +
-                        size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns();
-  return sizeof(Push) <= LCPUSH_STATE_BYTES_(S) && sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) &&
-         sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
+                        size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns() +
+                        size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) +
+                        (size.generators + size.actuators) * static_cast<Index>(sizeof(S));
+  return sizeof(Push) + sizeof(Scene<S>) <= LCPUSH_STATE_BYTES_(S) &&
+         sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) && sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
          static_cast<Index>(bytes) >=
-             static_cast<Index>(sizeof(Push)) + structs + work + alignment_slack;
+             static_cast<Index>(sizeof(Push) + sizeof(Scene<S>)) + structs + work + alignment_slack;
 }
 
 lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
 
 template <class S, class Vector> void read(const S* numbers, Vector& vector) {
-  for (Index i = 0; i < vector.size(); ++i) vector[i] = numbers[i];
+  std::memcpy(vector.data(), numbers, sizeof(S) * static_cast<std::size_t>(vector.size()));
 }
 template <class S, int n> void write(const Eigen::Matrix<S, n, 1>& vector, S* out) {
   for (Index i = 0; i < n; ++i) out[i] = vector[i];
 }
 
-/// C lets its callers write any number into an enum; here reading it as one would be undefined.
-template <class E> auto number_of(const E& e) {
-  std::underlying_type_t<E> number;
-  std::memcpy(&number, &e, sizeof number);
-  return number;
-}
-
 template <class S, class CBody> void read_body(const CBody& given, bool is_planar, Body<S>& body) {
-  body.role = number_of(given.role) == LCPUSH_PUSHER ? Role::pusher : Role::finger;
+  body.role = given.role == LCPUSH_PUSHER ? Role::pusher : Role::finger;
   // A zero normal stays zero, and find_mistake says so.
   read(given.normal, body.normal);
   body.normal.normalize();
   read(given.tangent, body.tangent);
-  if (body.tangent.isZero(S(0))) body.tangent[least_aligned_axis(body.normal)] = S(1);
+  if (body.tangent == Vector3<S>::Zero()) body.tangent[least_aligned_axis(body.normal)] = S(1);
   body.tangent = tangent_along(body.normal, body.tangent);
   body.friction = given.friction;
   body.torsion_radius = given.torsion_radius;
@@ -76,17 +71,29 @@ template <class S> void normalise(const Span<const Body<S>>& bodies, const Span<
   }
 }
 
+/// Can so many of each be counted in bytes, on 32 bits too? Every force takes a byte or more by
+/// every drive, and all together a few hundred each.
+inline bool is_countable(const Capacity& most, std::size_t bytes) {
+  constexpr Index most_of_one = 8191;
+  for (const Index count :
+       {most.bodies, most.points, most.facets, most.actuators, most.drives, most.pulls})
+    if (count < 0 || count > most_of_one) return false;
+  const std::size_t end = std::numeric_limits<Index>::max() / 512;
+  const Index forces = (most.points + most.pulls) * (most.facets + 1);
+  return static_cast<std::size_t>(forces) <=
+         (bytes < end ? bytes : end) / static_cast<std::size_t>(most.drives + 1);
+}
+
 /// A push in the caller's memory; null if that is too short.
 template <class Push> Push* make(void* memory, std::size_t bytes, const lcpush_size* size) {
   if (memory == nullptr || size == nullptr) return nullptr;
-  for (const int count :
-       {size->bodies, size->points, size->facets, size->actuators, size->drives, size->pulls})
-    if (count < 0) return nullptr;
+  const Capacity most{size->bodies,    size->points, size->facets,
+                      size->actuators, size->drives, size->pulls};
+  if (!is_countable(most, bytes)) return nullptr;
   Arena arena(static_cast<unsigned char*>(memory), static_cast<Index>(bytes));
   void* const place = arena.take_bytes(static_cast<Index>(sizeof(Push)), alignof(Push));
   if (place == nullptr) return nullptr;
-  Push* const push = new (place) Push(arena, {size->bodies, size->points, size->facets,
-                                              size->actuators, size->drives, size->pulls});
+  Push* const push = new (place) Push(arena, most);
   return push->complete() ? push : nullptr;
 }
 
@@ -94,20 +101,19 @@ template <class Push> Push* make(void* memory, std::size_t bytes, const lcpush_s
 template <class S, class CScene> Status describe(CPush<S>& push, const CScene& given) {
   if (!push.holds(given.body_count, given.point_count, given.actuator_count, given.drive_count))
     return push.refuse(Mistake::memory_too_small);
-  const auto pressure = number_of(given.pressure);
   const bool is_round = given.facets == LCPUSH_ROUND;
-  const bool is_known =
-      pressure == LCPUSH_PAD || pressure == LCPUSH_RIGID || pressure == LCPUSH_EVEN;
-  if (!is_known) return push.refuse(Mistake::unsupported);
-  const Span<Body<S>> bodies = push.bodies(given.body_count);
-  const Span<Vector3<S>> points = push.points(given.point_count);
-  const Span<Actuator<S>> actuators = push.actuators(given.actuator_count);
-  const Span<Drive<S>> drives = push.drives(given.drive_count);
-  for (Index b = 0; b < bodies.size; ++b) read_body(given.bodies[b], given.planar != 0, bodies[b]);
-  for (Index i = 0; i < points.size; ++i) {
-    const auto& point = given.points[i];
-    points[i] << point.x, point.y, point.z;
+  bool is_known = given.pressure >= LCPUSH_PAD && given.pressure <= LCPUSH_RIGID;
+  const Span<Body<S>> bodies = push.new_bodies(given.body_count);
+  const Span<Vector3<S>> points = push.new_points(given.point_count);
+  const Span<Actuator<S>> actuators = push.new_actuators(given.actuator_count);
+  const Span<Drive<S>> drives = push.new_drives(given.drive_count);
+  for (Index b = 0; b < bodies.size; ++b) {
+    const auto& body = given.bodies[b];
+    is_known &= body.role == LCPUSH_FINGER || body.role == LCPUSH_PUSHER;
+    read_body(body, given.planar != 0, bodies[b]);
   }
+  if (!is_known) return push.refuse(Mistake::unsupported);
+  for (Index i = 0; i < points.size; ++i) read(&given.points[i].x, points[i]);
   for (Index a = 0; a < actuators.size; ++a)
     actuators[a] = {given.actuators[a].force, given.actuators[a].inertia};
   for (Index d = 0; d < drives.size; ++d) {
@@ -116,27 +122,27 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
     read(given.drives[d].twist, drives[d].twist);
   }
 
-  Scene<S>& scene = push.begin_scene();
+  Scene<S>& scene = *push.new_scene();
   scene.object.mass = given.object.mass;
-  for (Index i = 0; i < 3; ++i)
-    for (Index j = 0; j < 3; ++j) scene.object.inertia(i, j) = given.object.inertia[3 * i + j];
+  read(given.object.inertia, scene.object.inertia); // symmetric
   read(given.object.wrench, scene.object.wrench);
   scene.object.center_of_mass.setZero();
+  scene.object.turning.setZero();
   read(given.gravity, scene.gravity);
   scene.facets = is_round ? -given.facets : given.facets;
-  scene.pressure = static_cast<Pressure>(pressure);
+  scene.pressure = static_cast<Pressure>(given.pressure);
   scene.planar = given.planar != 0;
   scene.bodies = {bodies.data, bodies.size};
   scene.points = {points.data, points.size};
   scene.actuators = {actuators.data, actuators.size};
   scene.drives = {drives.data, drives.size};
   scene.weights = {};
+  scene.clearances = {};
   scene.round_cones = {};
-  if (given.weights == nullptr) return push.accept(is_round);
-  // Without weights first: the bodies' points lie where they should.
-  const Mistake mistake = find_mistake(scene);
-  if (mistake != Mistake::none) return push.refuse(mistake);
-  const Span<S> weights = push.weights(given.point_count);
+  if (given.weights == nullptr || find_mistake(scene) != Mistake::none)
+    return push.accept(is_round);
+  // The bodies' points lie where they should.
+  const Span<S> weights = push.new_weights(given.point_count);
   for (Index i = 0; i < weights.size; ++i) weights[i] = given.weights[i];
   normalise(scene.bodies, weights);
   scene.weights = {weights.data, weights.size};
@@ -144,13 +150,19 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
 }
 
 template <class S> Status command(CPush<S>& push, const S* forces, const S* accelerations) {
-  if (push.mistake() != Mistake::none) return push.refuse(Mistake::not_described);
-  const Span<Actuator<S>> actuators = push.actuators(push.given().actuators.size);
-  const Span<Body<S>> bodies = push.bodies(push.given().bodies.size);
-  for (Index a = 0; forces != nullptr && a < actuators.size; ++a) actuators[a].force = forces[a];
-  for (Index b = 0; accelerations != nullptr && b < bodies.size; ++b)
-    bodies[b].acceleration = Eigen::Map<const Vector6<S>>(accelerations + 6 * b);
-  return push.take_command();
+  push.begin_command();
+  const Mistake mistake = push.mistake_of(forces, accelerations);
+  if (mistake != Mistake::none) return push.refuse(mistake);
+  bool changes = !push.is_under_way();
+  const auto take = [&](S& number, const S& commanded) {
+    changes |= number != commanded;
+    number = commanded;
+  };
+  for (Index a = 0; forces != nullptr && a < push.given().actuators.size; ++a)
+    take(push.force(a), forces[a]);
+  for (Index i = 0; accelerations != nullptr && i < 6 * push.given().bodies.size; ++i)
+    take(push.acceleration(i / 6)[i % 6], accelerations[i]);
+  return changes ? push.take_command() : Status::running;
 }
 
 /// The body of the scene as it was described: under even pressure every point is a body of its own.

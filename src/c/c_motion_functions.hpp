@@ -9,10 +9,13 @@ size_t LCPUSH_NAME(motion_bytes)(const LCPUSH_NAME(push) * push) {
 lcpush_status LCPUSH_NAME(set_off)(LCPUSH_NAME(push) * push, void* memory, size_t bytes,
                                    const lcpush_riding* ridings) {
   using namespace lcpush;
+  for (Index b = 0; ridings != nullptr && b < push->given().bodies.size; ++b)
+    if (ridings[b] != LCPUSH_ON_BODY && ridings[b] != LCPUSH_ON_OBJECT)
+      return c::as_c(push->refuse(Mistake::unsupported));
   const Index length = memory == nullptr ? 0 : static_cast<Index>(bytes);
   const Status status = push->set_off(Arena(static_cast<unsigned char*>(memory), length));
   for (Index b = 0; push->motion() != nullptr && b < push->motion()->touching.size; ++b) {
-    const bool on_object = ridings != nullptr && c::number_of(ridings[b]) == LCPUSH_ON_OBJECT;
+    const bool on_object = ridings != nullptr && ridings[b] == LCPUSH_ON_OBJECT;
     push->motion()->touching[b].riding = on_object ? Riding::on_object : Riding::on_body;
   }
   return c::as_c(status);

@@ -30,7 +30,7 @@ public:
     for (int attempt = 0; attempt < attempts; ++attempt, pads.exact_limit = false) {
       breaking = {};
       LemkeOptions<S> pivots = options(attempt);
-      if (breaks_exactly(Rounds{lemke_}, this->scene_, pads)) pivots.covers = 1;
+      if (breaks_exactly(Rounds{lemke_}, *this->scene_, pads)) pivots.covers = 1;
       status = find_breaking(this->assembly_, Rounds{lemke_, pivots}, this->work_, pusher, pads,
                              breaking, this->run_);
       if (status == Status::solved || status == Status::does_not_hold) break;
@@ -47,7 +47,8 @@ private:
   InPlace<PivotSolve> solve_;
   static constexpr int attempts = 3;
   int attempt_ = 0;
-  Index pivots_ = 0; // of the attempts before
+  Index pivots_ = 0;  // of the attempts before
+  Index allowed_ = 0; // until the solve is interrupted
 
   static Workspace<S> take(Arena arena, const AssemblySize& size) {
     return make_small_workspace<S>(arena, size, size.actuators, exchanges_of(size));
@@ -60,26 +61,31 @@ private:
   LemkeOptions<S> options(int attempt) const {
     LemkeOptions<S> options;
     options.first_cover = attempt * options.covers;
-    options.exchanges = exchanges_of(size_of(this->scene_));      // whatever the memory is for
+    options.exchanges = exchanges_of(size_of(*this->scene_));     // whatever the memory is for
     options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
     return options;
   }
 
   /// A first attempt begins at the modes that one expects, if it does not go on from the last
   /// command's, and is content with what the check lets pass; later ones take other covering
-  /// vectors and slower pads, the last is exact to rounding.
+  /// vectors and slower pads, the last is exact to rounding. Pre: the push stands at its pace
+  /// (sigma 1); rounds make normal rows anew.
   void begin(int attempt) {
     attempt_ = attempt;
-    this->assembly_.push_by(S(1));
     LemkeOptions<S> options = this->options(attempt);
     PressureOptions<S> pads;
     if (attempt + 1 < attempts) options.tolerances.finish = options.tolerances.residual / S(8);
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
-    if (attempt > 0) this->last_.known = false;
-    if (attempt == 0 && !(this->last_.known && this->last_.guess == Guess::basis)) predict();
+    if (attempt > 0)
+      this->last_.known = false;
+    else if (this->goes_on_)
+      take_over(pads);
+    else if (!this->last_.known || this->last_.guess != Guess::basis)
+      predict();
+    this->goes_on_ = false;
     PivotSolve& solve =
         solve_.make(this->assembly_, Pivots(lemke_, this->last_, options), this->work_.pressure,
-                    pads, this->work_.friction_memory(this->scene_));
+                    pads, this->work_.friction_memory(*this->scene_));
     this->status_ = solve.init();
   }
 
@@ -90,24 +96,42 @@ private:
     this->last_.guess = Guess::near;
   }
 
+  /// Where a command has ended the solve before: its pivots still serve, and its pads' rounds, with
+  /// the pressure and the compliance that they have come to.
+  void take_over(PressureOptions<S>& pads) {
+    for (Index i = 0; i < this->assembly_.layout().size; ++i)
+      this->last_.active[i] = lemke_.is_basic(i) ? 1 : 0;
+    pads.keeps_cones = true;
+    pads.goes_on = solve_.get()->run().rounds > 1;
+    if (pads.goes_on) pads.first_compliance = solve_.get()->compliance();
+    this->last_.known = true;
+    this->last_.guess = Guess::near;
+  }
+
+  /// What the solve has done, and pivots of a round that is under way.
+  void note(Index pivots) {
+    this->run_ = solve_.get()->run();
+    this->run_.pivots += pivots_ + pivots;
+  }
+
   Status pivot(int pivots) {
     Status& status = this->status_;
     if (!this->begun_) {
       this->begun_ = true;
-      pivots_ = 0;
+      pivots_ = allowed_ = 0;
       begin(0);
     }
+    if (allowed_ == 0 || this->is_interrupted_) allowed_ += this->limit_;
+    this->is_interrupted_ = false;
     for (int k = 0; k < pivots && status == Status::running; ++k) {
-      PivotSolve& solve = *solve_.get();
-      const Index done = pivots_ + solve.run().pivots;
-      if (this->limit_ > 0 && done + lemke_.pivots() >= this->limit_) {
-        this->run_.pivots = this->limit_;
-        return status = Status::pivot_limit;
+      if (this->limit_ > 0 && pivots_ + solve_.get()->run().pivots + lemke_.pivots() >= allowed_) {
+        this->is_interrupted_ = true;
+        status = Status::pivot_limit;
+        break;
       }
-      status = solve.step();
-      this->run_ = solve.run();
-      this->run_.pivots += pivots_;
+      status = solve_.get()->step();
       if (status == Status::running) continue;
+      note(0);
       const bool failed =
           this->conclude() == Status::numerical_breakdown || status == Status::pivot_limit;
       if (status == Status::solved) this->last_.guess = Guess::basis;
@@ -115,8 +139,7 @@ private:
       pivots_ = this->run_.pivots;
       begin(attempt_ + 1);
     }
-    if (status == Status::running)
-      this->run_.pivots = pivots_ + solve_.get()->run().pivots + lemke_.pivots();
+    note(lemke_.pivots());
     return status;
   }
 };

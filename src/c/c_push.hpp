@@ -2,6 +2,9 @@
 // answer. How it is solved is c_pivot_push.hpp's, or c_sweep_push.hpp's.
 #pragma once
 
+#include <cstddef>
+#include <cstring>
+#include <limits>
 #include <new>
 
 #include "c_motion.hpp"
@@ -54,92 +57,159 @@ public:
 
   /// Cuts everything out of `arena`; complete() says whether it was enough.
   CPush(Arena& arena, const Capacity& most, const Method& method)
-      : most_(most), method_(&method), bodies_(arena.zeros<Body<S>>(most.bodies)),
+      : generators_(assembly_size(most).generators), pulls_(most.pulls), method_(&method),
+        kept_(take_answer(arena, most)), scene_(arena.zeros<Scene<S>>(1).data),
+        bodies_(
+            arena.zeros<Body<S>>(most.bodies < 2 * most.points ? most.bodies : 2 * most.points)),
         points_(arena.zeros<Vector3<S>>(most.points)), weights_(arena.zeros<S>(most.points)),
         actuators_(arena.zeros<Actuator<S>>(most.actuators)),
-        drives_(arena.zeros<Drive<S>>(most.drives)),
-        last_active_(arena.zeros<unsigned char>(assembly_size(most).unknowns())),
+        drives_(arena.zeros<Drive<S>>(most.drives)), last_{arena.zeros<unsigned char>(
+                                                               assembly_size(most).unknowns()),
+                                                           false, Guess::basis},
+        new_scene_((last_.active.size + arena.rest().size) & -widest_alignment<S>()),
         work_(method.take(arena, assembly_size(most))), assembly_(work_.assembly) {}
 
-  bool complete() const { return work_.complete; }
+  /// As find_mistake wants numbers: what becomes of them does not overflow.
+  static bool is_finite(const S& x) {
+    const S square = x * x, power = square * square;
+    return power - power == S(0);
+  }
+
+  static AssemblySize assembly_size(const Capacity& most) {
+    return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
+  }
+
+  bool complete() const {
+    const Span<S>& solver = method_->takes_motions ? work_.lemke_scalars : work_.sweep_scalars;
+    return work_.complete && static_cast<void*>(new_scene()) >= solver.data;
+  }
 
   /// Is there room for a scene with so many of each?
   bool holds(Index bodies, Index points, Index actuators, Index drives) const {
     return is_within(bodies, bodies_.size) && is_within(points, points_.size) &&
            is_within(actuators, actuators_.size) && is_within(drives, drives_.size);
   }
-  // What describe() fills before it calls accept(): the scene that was there is gone.
-  Scene<S>& begin_scene() {
-    motion_ = nullptr;
-    return scene_;
+  // The arrays of a scene that is being described, over the solver's memory: what was going on
+  // there begins anew. accept() takes it, or the scene that was there stays.
+  Scene<S>* new_scene() const { return beyond(Span<Scene<S>>{scene_, 1}, 1).data; }
+  Span<Body<S>> new_bodies(Index count) {
+    forget_solve();
+    return beyond(bodies_, count);
   }
-  Span<Body<S>> bodies(Index count) { return {bodies_.data, count}; }
-  Span<Vector3<S>> points(Index count) { return {points_.data, count}; }
-  Span<S> weights(Index count) { return {weights_.data, count}; }
-  Span<Actuator<S>> actuators(Index count) { return {actuators_.data, count}; }
-  Span<Drive<S>> drives(Index count) { return {drives_.data, count}; }
+  Span<Vector3<S>> new_points(Index count) { return beyond(points_, count); }
+  Span<S> new_weights(Index count) { return beyond(weights_, count); }
+  Span<Actuator<S>> new_actuators(Index count) { return beyond(actuators_, count); }
+  Span<Drive<S>> new_drives(Index count) { return beyond(drives_, count); }
 
+  /// Says what is wrong; scene and answer stay as they are.
   Status refuse(Mistake mistake) {
     mistake_ = mistake;
-    described_ = false;
-    return status_ = Status::bad_input;
+    return Status::bad_input;
   }
 
-  /// Takes the scene that begin_scene() gave out, over this push's own arrays.
+  /// Takes it, unless something is wrong with it.
   Status accept(bool is_round) {
-    given_ = {scene_.bodies, scene_.actuators, scene_.drives, scene_.weights};
-    if (is_round) scene_.round_cones = {work_.round_cones.data, scene_.points.size};
+    const Scene<S>& scene = *new_scene();
+    const Mistake mistake = find_mistake(scene);
+    if (mistake != Mistake::none) return refuse(mistake);
+    bool is_spread;
+    if (!fits(scene, is_spread)) return refuse(Mistake::memory_too_small);
+    is_spread_ = is_spread;
+    copy_words(scene_, &scene, last_.active.data);
+    given_ = {{bodies_.data, scene.bodies.size},
+              {actuators_.data, scene.actuators.size},
+              {drives_.data, scene.drives.size},
+              {weights_.data, scene.weights.size}};
+    scene_->points.data = points_.data;
+    if (is_round) scene_->round_cones = {work_.round_cones.data, scene_->points.size};
+    motion_ = nullptr;
     last_.known = false;
+    age_ = -1;
     return set_up(&assemble_anew);
   }
+
+  /// A tick is a command with the steps that follow, or a step alone.
+  void tick() {
+    if (age_ >= 0) ++age_;
+  }
+  void begin_command() {
+    tick();
+    commanded_ = true;
+  }
+  /// What is wrong with such a command.
+  Mistake mistake_of(const S* forces, const S* accelerations) const {
+    if (given_.bodies.size == 0) return Mistake::not_described;
+    for (Index a = 0; forces != nullptr && a < given_.actuators.size; ++a) {
+      if (!is_finite(forces[a])) return Mistake::not_finite;
+      if (forces[a] < S(0)) return Mistake::actuator;
+    }
+    for (Index i = 0; accelerations != nullptr && i < 6 * given_.bodies.size; ++i)
+      if (!is_finite(accelerations[i])) return Mistake::not_finite;
+    return Mistake::none;
+  }
+  // What a command changes.
+  S& force(Index actuator) { return actuators_[actuator].force; }
+  Vector6<S>& acceleration(Index body) { return bodies_[body].acceleration; }
   /// Its grip forces or motions have changed.
-  Status take_command() { return set_up(&assemble_command); }
+  Status take_command() {
+    goes_on_ = goes_on_ || is_under_way();
+    return set_up(&assemble_command);
+  }
+
+  bool is_under_way() const { return begun_ && (status_ == Status::running || is_interrupted_); }
 
   Status step(int pivots) {
     if (!described_) return refuse(Mistake::not_described);
-    return status_ == Status::running ? method_->step(*this, pivots) : status_;
+    if (!commanded_ && status_ != Status::solved) tick();
+    commanded_ = false;
+    if (is_interrupted_) status_ = Status::running;
+    return status_ == Status::running && pivots > 0 ? method_->step(*this, pivots) : status_;
   }
 
-  Status solve() {
-    constexpr int many = 1 << 20;
-    while (step(many) == Status::running) continue;
-    return status_;
-  }
+  Status solve() { return step(std::numeric_limits<int>::max()); }
 
   /// `by_pivots(pusher, breaking)` unless this push has another method.
   template <class ByPivots>
   Status break_grasp(Index pusher, Breaking<S>& breaking, const ByPivots& by_pivots) {
-    if (!described_) return refuse(Mistake::not_described);
-    begun_ = false;
     breaking = {};
+    if (!described_) return refuse(Mistake::not_described);
     if (pusher < 0 || pusher >= given_.bodies.size) return refuse(Mistake::index);
-    if (!(push_size(scene_) > S(0))) return refuse(Mistake::nothing_moves);
+    if (!(push_size(*scene_) > S(0))) return refuse(Mistake::nothing_moves);
+    forget_solve();
     const Body<S>& body = given_.bodies[pusher];
     status_ = method_->break_grasp != nullptr ? method_->break_grasp(*this, body, breaking)
                                               : by_pivots(body, breaking);
     residual_ = breaking.residuals.max();
+    if (status_ == Status::solved || status_ == Status::does_not_hold) keep();
     return status_;
   }
 
   /// A motion of the scene as described.
   Status set_off(Arena arena) {
-    motion_ = nullptr;
     if (!described_) return refuse(Mistake::not_described);
     if (!method_->takes_motions) return refuse(Mistake::unsupported);
+    Mistake mistake = Mistake::none;
+    forget_solve();
+    CMotion<S>* const motion = begin_motion(as_given(), work_, arena, mistake);
+    if (motion == nullptr) {
+      if (mistake != Mistake::memory_too_small) (void)set_up(&assemble_anew);
+      return refuse(mistake);
+    }
+    motion_ = motion;
     described_ = false; // its equations' arrays are the motion's from now on
     moved_ = true;
     last_.known = false;
-    motion_ = begin_motion(as_given(), work_, arena, mistake_);
-    return motion_ == nullptr ? refuse(mistake_) : status_ = Status::running;
+    return status_ = Status::running;
   }
 
   Status advance(S h) {
     if (motion_ == nullptr) return refuse(Mistake::not_described);
+    if (!(h > S(0)) || !is_finite(h)) return refuse(Mistake::not_finite);
+    forget_solve();
     described_ = false;
     moved_ = true;
     status_ = motion_->motion.advance(h);
     const StepRun<S>& step = motion_->motion.run();
-    if (status_ == Status::bad_input) mistake_ = step.mistake;
     run_ = {};
     run_.pivots = step.pivots;
     run_.rounds = step.rounds;
@@ -152,37 +222,44 @@ public:
 
   Status status() const { return status_; }
   Mistake mistake() const { return mistake_; }
-  bool has_answer() const {
-    return !moved_ && (status_ == Status::solved || status_ == Status::does_not_hold);
-  }
-  const Answer<S>& answer() const { return work_.answer; }
+  bool has_answer() const { return age_ >= 0; }
+  const Answer<S>& answer() const { return kept_; }
+  Index age() const { return age_; }
   const Given& given() const { return given_; }
-  const Scene<S>& scene() const { return scene_; } ///< as it is solved
-  bool is_spread() const { return scene_.bodies.data != given_.bodies.data; }
+  const Scene<S>& scene() const { return *scene_; } ///< as it is solved
+  bool is_spread() const { return is_spread_; }
   Scene<S> as_given() const {
-    Scene<S> scene = scene_;
+    Scene<S> scene = *scene_;
     give_back(scene);
     return scene;
   }
   const PressureRun& run() const { return run_; }
-  S residual() const { return residual_; }
+  /// Of an older answer as one to the present command.
+  S residual() const {
+    return age_ > 0 ? check(*scene_, assembly_.layout().scales, kept_, S(1)).max() : residual_;
+  }
 
 protected:
-  Capacity most_;
+  Index generators_, pulls_; ///< at most
   const Method* method_;
-  bool described_ = false;
-  bool begun_ = false; ///< a solve has begun and the scene is still the same
+  bool described_ = false, is_spread_ = false;
+  bool begun_ = false;          ///< a solve has begun and the scene is still the same
+  bool is_interrupted_ = false; ///< by limit(): the next step goes on
+  bool goes_on_ = false;        ///< the solver has a basis of a solve that a command has ended
+  bool commanded_ = false;      ///< since the last step
+  Answer<S> kept_;              ///< the last answer; work_'s is a solve's scratch
+  Index age_ = -1;              ///< of kept_, in ticks; -1: there is none
+  Scene<S>* scene_;             ///< as it is solved
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<S> weights_;
   Span<Actuator<S>> actuators_;
   Span<Drive<S>> drives_;
-  Span<unsigned char> last_active_;
+  LastStep last_;   ///< of the last command's solve
+  Index new_scene_; ///< bytes from these arrays to those of a scene that is being described
   Workspace<S> work_;
   Assembly<S> assembly_;
   Given given_{};
-  Scene<S> scene_{};
-  LastStep last_{last_active_, false, Guess::basis}; ///< of the last command's solve
   PressureRun run_{};
   Status status_ = Status::bad_input;
   Mistake mistake_ = Mistake::not_described;
@@ -195,36 +272,61 @@ protected:
   Status conclude() {
     if (status_ != Status::solved) return status_;
     read_answer(assembly_, work_.pressure.z.data, work_.answer, S(1));
-    residual_ = check(scene_, assembly_.layout().scales, work_.answer, S(1)).max();
-    if (!(residual_ <= Tolerances<S>().residual)) status_ = Status::numerical_breakdown;
+    residual_ = check(*scene_, assembly_.layout().scales, work_.answer, S(1)).max();
+    if (!(residual_ <= Tolerances<S>().residual)) return status_ = Status::numerical_breakdown;
+    keep();
     return status_;
+  }
+  void keep() {
+    const Answer<S>& found = work_.answer;
+    kept_.acceleration = found.acceleration;
+    copy_words(kept_.contacts.data, found.contacts.data, kept_.friction.end()); // and friction
+    copy_words(kept_.closing.data, found.closing.data, kept_.closing.end());
+    age_ = 0;
+  }
+  /// Up to `end` of the first: word by word, which a device's memcpy may not be.
+  static void copy_words(void* to, const void* from, const void* end) {
+    char* const words = static_cast<char*>(to);
+    const std::ptrdiff_t bytes = static_cast<const char*>(end) - words;
+    for (std::ptrdiff_t i = 0; i < bytes; i += 4)
+      std::memcpy(words + i, static_cast<const char*>(from) + i, 4);
   }
 
 private:
+  /// The solver's memory is about to be something else's.
+  void forget_solve() { begun_ = goes_on_ = is_interrupted_ = false; }
+
+  static Answer<S> take_answer(Arena& arena, const Capacity& most) {
+    Answer<S> answer;
+    arena.fill(most.points, answer.contacts);
+    arena.fill(most.points * most.facets, answer.friction);
+    arena.fill(most.actuators, answer.closing);
+    return answer;
+  }
+
   /// By a pointer: what never commands links nothing for it.
   Status set_up(bool (*assemble)(CPush&)) {
-    begun_ = false;
-    described_ = false;
-    give_back(scene_);
-    const Mistake mistake = find_mistake(scene_);
-    if (mistake != Mistake::none) return refuse(mistake);
+    begun_ = is_interrupted_ = false;
+    give_back(*scene_);
     const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
                                 rest(actuators_, given_.actuators.size),
                                 rest(drives_, given_.drives.size)};
-    const bool spreads = presses_evenly(scene_) && has_driven_patch(scene_);
-    if (spreads && spread_evenly(scene_, further, scene_) != Status::solved)
-      return refuse(Mistake::memory_too_small);
-    if (!assemble(*this)) return refuse(Mistake::memory_too_small);
-    described_ = true;
+    if (is_spread_) (void)spread_evenly(*scene_, further, *scene_);
+    described_ = assemble(*this); // it has to fit
     moved_ = false;
     mistake_ = Mistake::none;
     run_ = {};
     return status_ = Status::running;
   }
 
+  /// Where an array of a new scene is described.
+  template <class T> Span<T> beyond(const Span<T>& own, Index count) const {
+    void* const bytes = reinterpret_cast<unsigned char*>(own.data) + new_scene_;
+    return {static_cast<T*>(bytes), count};
+  }
+
   static bool assemble_anew(CPush& push) {
-    return push.fits(size_of(push.scene_)) &&
-           push.assembly_.assemble(push.scene_) == Status::running;
+    return push.assembly_.assemble(*push.scene_) == Status::running;
   }
   /// A motion's steps write into the same arrays.
   static bool assemble_command(CPush& push) {
@@ -241,16 +343,22 @@ private:
     scene.weights = given_.weights;
   }
 
-  static AssemblySize assembly_size(const Capacity& most) {
-    return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
+  /// What holds() has not looked at.
+  bool fits(const Scene<S>& scene, bool& is_spread) const {
+    const AssemblySize size = size_of(scene);
+    EvenSize more;
+    if (presses_evenly(scene)) more = even_size(scene);
+    if (more.bodies == scene.bodies.size) more = {}; // every point is a pad of its own already
+    is_spread = more.bodies > 0;
+    return size.generators <= generators_ && size.pulls <= pulls_ &&
+           scene.bodies.size + more.bodies <= bodies_.size &&
+           scene.actuators.size + more.drives <= actuators_.size &&
+           scene.drives.size + more.drives <= drives_.size;
   }
 
-  /// What holds() and spreading have not looked at.
-  bool fits(const AssemblySize& size) const {
-    return size.generators <= assembly_size(most_).generators && size.pulls <= most_.pulls;
+  static bool is_within(Index count, Index most) {
+    return static_cast<std::size_t>(count) <= static_cast<std::size_t>(most); // none is negative
   }
-
-  static bool is_within(Index count, Index most) { return count >= 0 && count <= most; }
   template <class T> static Span<T> rest(const Span<T>& whole, Index used) {
     return {whole.data + used, whole.size - used};
   }

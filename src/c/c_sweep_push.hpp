@@ -34,7 +34,7 @@ private:
     for (;;) {
       this->status_ = solve_pressure(this->assembly_, SweepRounds<S>{sweeps_, options},
                                      this->work_.pressure, PressureOptions<S>(), this->run_,
-                                     this->work_.friction_memory(this->scene_));
+                                     this->work_.friction_memory(*this->scene_));
       this->run_.sweeps += sweeps;
       sweeps = this->run_.sweeps;
       const Status judged = this->conclude();

@@ -17,6 +17,13 @@ Vector3<double> carried_by(const SceneFile& file, const Pose<double>& pose,
   return center + pose.at(at - center);
 }
 
+/// Where its body has it: points that ride on the object hang over their body's plane.
+Vector3<double> on_body(const SceneFile& file, const MotionFrame& frame, Index b, Index i) {
+  const PointState& point = frame.contacts[static_cast<std::size_t>(i)];
+  const bool rides = file.strokes[static_cast<std::size_t>(b)].rides_on_object;
+  return point.position - (rides ? point.gap.value_or(0) : 0) * point.normal;
+}
+
 View clearest_view(const SceneFile& file, const MotionReport& report) {
   const std::vector<View> views = axis_views(file.gravity);
   const auto seen = [&](const View& view) {
@@ -43,8 +50,10 @@ Sight motion_sight(const SceneFile& file, const MotionReport& report, const Pris
   for (const MotionFrame& frame : report.frames) {
     for (const auto& corner : corners_of(object))
       shown.push_back(view.flat(carried_by(file, frame.pose, corner)));
-    for (const PointState& point : frame.contacts)
-      if (point.touch != Touch::away) shown.push_back(view.flat(point.position));
+    for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b)
+      for (const Index i : points_of(file.body(b)))
+        if (frame.contacts[static_cast<std::size_t>(i)].touch != Touch::away)
+          shown.push_back(view.flat(on_body(file, frame, b, i)));
   }
   const Frame extent = bounds(shown);
   return centered(view, extent, fitting_scale(extent, width - 2 * margin, height - 2 * margin),
@@ -96,8 +105,8 @@ std::string MotionPainter::body(const MotionFrame& frame, Index b,
   for (const Index i : points_of(body)) {
     const PointState& point = frame.contacts[static_cast<std::size_t>(i)];
     if (point.touch == Touch::away) continue;
-    const Pixel at = place(point.position);
-    for (const Pixel& offset : pad_rim(view_, point.normal)) around.emplace_back(at + offset);
+    const Pixel at = place(point.position), pad = place(on_body(file_, frame, b, i));
+    for (const Pixel& offset : pad_rim(view_, point.normal)) around.emplace_back(pad + offset);
     normal = point.normal;
     marks += mode_mark(point.touch == Touch::sticks  ? Mode::stick
                        : point.touch == Touch::slips ? Mode::slide

@@ -113,6 +113,89 @@ static void obeys_commands(void) {
   CHECK(contact.normal_force == 0);
 }
 
+/* A limit interrupts: the same pivots as without, one a tick. And commands that change a little
+ * every tick come to an end as well, or a gripper would never have an answer. */
+static void goes_on_after_a_limit(void) {
+  double forces[2] = {20, 20};
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  lcpush_body bodies[3];
+  const lcpush_scene scene = leaving(bodies);
+  lcpush_contact whole, stepped;
+  int pivots, ticks, law;
+  for (law = LCPUSH_PAD; law <= LCPUSH_RIGID; law += LCPUSH_RIGID) {
+    lcpush_scene other = scene;
+    other.pressure = law;
+    lcpush_limit(push, 0);
+    (void)lcpush_describe(push, &other);
+    CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+    lcpush_contact_at(push, 0, &whole);
+    pivots = lcpush_pivots(push);
+    CHECK(pivots > 2);
+    lcpush_limit(push, 1);
+    (void)lcpush_describe(push, &other);
+    for (ticks = 1; lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && ticks < 99; ++ticks) {
+      CHECK(lcpush_pivots(push) == ticks);
+      CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING); /* as it was */
+    }
+    lcpush_contact_at(push, 0, &stepped);
+    CHECK(lcpush_status_of(push) == LCPUSH_SOLVED && lcpush_pivots(push) == pivots);
+    CHECK(memcmp(&whole, &stepped, sizeof whole) == 0);
+    (void)lcpush_describe(push, &other);
+    for (ticks = 1; lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && ticks < 99; ++ticks) {
+      forces[0] = forces[1] = 20 + 0.01 * ticks;
+      CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING);
+      lcpush_limit(push, pivots - 1);
+    }
+    CHECK(lcpush_status_of(push) == LCPUSH_SOLVED && ticks < 5);
+    lcpush_contact_at(push, 1, &stepped);
+    CHECK(near(stepped.normal_force, forces[1], 1e-9));
+    forces[0] = forces[1] = 20;
+  }
+}
+
+/* Whatever happens to later solves: the forces stay, and it is told how old and how wrong they are
+ * by now. */
+static void keeps_the_last_answer(void) {
+  const double wrong[2] = {NAN, 20};
+  double forces[2] = {30, 30};
+  const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  lcpush_contact contact;
+  double wrench[6], exact;
+  int k;
+  CHECK(lcpush_age(push) == -1);
+  (void)lcpush_describe(push, &slide_d);
+  CHECK(lcpush_age(push) == -1 && lcpush_solve(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
+  exact = lcpush_residual(push);
+  for (k = 1; k < 4; ++k) { /* refused: they are as right as they were */
+    CHECK(lcpush_command(push, wrong, NULL) == LCPUSH_BAD_INPUT && lcpush_age(push) == k);
+    CHECK(lcpush_step(push, 1) == LCPUSH_SOLVED && lcpush_age(push) == k);
+    CHECK(near(lcpush_residual(push), exact, 1e-9));
+  }
+  lcpush_limit(push, 1);
+  for (k = 4; k < 7; ++k) { /* interrupted, again and again */
+    forces[0] = 20 + k;
+    CHECK(lcpush_command(push, forces, backwards[0]) == LCPUSH_RUNNING);
+    CHECK(lcpush_age(push) == k && lcpush_residual(push) > 0.1);
+    CHECK(lcpush_step(push, 1) == LCPUSH_RUNNING && lcpush_age(push) == k);
+    lcpush_wrench_of(push, 2, wrench);
+    lcpush_contact_at(push, 0, &contact);
+    CHECK(near(wrench[0], 20.02, 1e-9) && near(contact.friction_force[0], -10, 1e-9));
+    CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9) && contact.mode == LCPUSH_SLIDE);
+  }
+  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_age(push) == 7);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(near(contact.normal_force, 20.02, 1e-9) && contact.body == 2);
+  lcpush_limit(push, 0);
+  CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING && lcpush_age(push) == 8);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(contact.mode == LCPUSH_SEPARATE && lcpush_residual(push) < 1e-9);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING && lcpush_age(push) == -1);
+  lcpush_contact_at(push, 0, &contact);
+  CHECK(contact.normal_force == 0); /* another scene's */
+}
+
 static void commands_go_on_from_the_last_basis(void) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   const double forces[2] = {22, 22};
@@ -301,7 +384,9 @@ static void refuses_nonsense(void) {
   scene.point_count = 4;
   REFUSES(LCPUSH_MEMORY_TOO_SMALL);
   scene = slide_d;
-  scene.pressure = (lcpush_pressure)9;
+  scene.pressure = 9;
+  REFUSES(LCPUSH_UNSUPPORTED);
+  scene.pressure = -1;
   REFUSES(LCPUSH_UNSUPPORTED);
   scene = slide_d;
   scene.bodies = bodies;
@@ -316,6 +401,9 @@ static void refuses_nonsense(void) {
   bodies[1].friction = -0.5;
   REFUSES(LCPUSH_BAD_FRICTION);
   memcpy(bodies, slide_d_bodies, sizeof bodies);
+  bodies[1].role = 2;
+  REFUSES(LCPUSH_UNSUPPORTED);
+  memcpy(bodies, slide_d_bodies, sizeof bodies);
   bodies[2].first_point = 1;
   REFUSES(LCPUSH_BAD_INDEX);
   scene = slide_d;
@@ -325,6 +413,112 @@ static void refuses_nonsense(void) {
   scene.drives = drives;
   drives[1].actuator = 2;
   REFUSES(LCPUSH_BAD_INDEX);
+}
+
+/* What is no number, or so large that it overflows later, wherever it stands. */
+static void refuses_what_is_not_finite(void) {
+  static const float wrong[4] = {NAN, INFINITY, -INFINITY, 1e30F};
+  lcpushf_push* push = lcpushf_make(memory_f, sizeof memory_f, &size);
+  lcpushf_body bodies[3];
+  lcpushf_point points[3];
+  lcpushf_actuator actuators[2];
+  lcpushf_drive drives[2];
+  lcpushf_scene scene = slide_f;
+  float* const numbers[] = {&scene.object.mass,       &scene.object.wrench[4],
+                            &scene.gravity[1],        &points[1].z,
+                            &bodies[0].friction,      &bodies[1].tangent[0],
+                            &bodies[0].tangent[1],    &bodies[2].acceleration[5],
+                            &bodies[2].preload,       &actuators[1].force,
+                            &actuators[0].inertia,    &drives[1].twist[2],
+                            &bodies[1].torsion_radius};
+  size_t k;
+  scene.bodies = bodies;
+  scene.points = points;
+  scene.actuators = actuators;
+  scene.drives = drives;
+  memcpy(bodies, slide_f_bodies, sizeof bodies);
+  memcpy(points, slide_f_points, sizeof points);
+  memcpy(actuators, slide_f_actuators, sizeof actuators);
+  memcpy(drives, slide_f_drives, sizeof drives);
+  for (k = 0; k < 4 * sizeof numbers / sizeof numbers[0]; ++k) {
+    float* const number = numbers[k / 4];
+    const float right = *number;
+    const int is_direction = k / 4 == 5 || k / 4 == 6; /* of any length */
+    *number = wrong[k % 4];
+    if (!is_direction || k % 4 < 3) {
+      check(lcpushf_describe(push, &scene) == LCPUSH_BAD_INPUT, "refused", (int)k);
+      check(lcpushf_why(push) == LCPUSH_NOT_FINITE, lcpush_mistake_text(lcpushf_why(push)), (int)k);
+    }
+    *number = right;
+  }
+  CHECK(lcpushf_describe(push, &scene) == LCPUSH_RUNNING);
+}
+
+/* Whatever is refused leaves the scene and its answer. */
+static void refusals_change_nothing(void) {
+  const double forces[3][2] = {{20, NAN}, {1e200, 20}, {20, -1}}, harder[2] = {30, 30};
+  const double motions[2][18] = {{0, 0, NAN}, {[17] = INFINITY}};
+  const lcpush_riding ridings[3] = {LCPUSH_ON_BODY, 7, LCPUSH_ON_BODY};
+  lcpush_push* pushes[2];
+  lcpush_breaking breaking;
+  lcpush_contact contact;
+  int i, k;
+  pushes[0] = lcpush_make(memory_d, sizeof memory_d, &size);
+  pushes[1] = lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &size);
+  for (i = 0; i < 2; ++i) {
+    lcpush_push* const push = pushes[i];
+    lcpush_scene scene = slide_d;
+    lcpush_body bodies[3];
+    double wrench[6];
+    CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+    CHECK(lcpush_step(push, 0) == LCPUSH_RUNNING && lcpush_step(push, -1) == LCPUSH_RUNNING);
+    CHECK(lcpush_sweeps(push) == 0);
+    CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+    for (k = 0; k < 3; ++k) CHECK(lcpush_command(push, forces[k], NULL) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_why(push) == LCPUSH_BAD_ACTUATOR);
+    for (k = 0; k < 2; ++k) CHECK(lcpush_command(push, harder, motions[k]) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_why(push) == LCPUSH_NOT_FINITE);
+    CHECK(lcpush_break_grasp(push, 7, &breaking) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_break_grasp(push, -1, &breaking) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_why(push) == LCPUSH_BAD_INDEX);
+    CHECK(lcpush_advance(push, 0.01) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_set_off(push, NULL, 0, NULL) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_set_off(push, NULL, 0, ridings) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_why(push) == LCPUSH_UNSUPPORTED);
+    scene.bodies = bodies; /* other bodies, and something else wrong with each scene */
+    memcpy(bodies, slide_d_bodies, sizeof bodies);
+    bodies[0].friction = 0.1;
+    bodies[2].acceleration[0] = 3;
+    for (k = 0; k < 4; ++k) {
+      scene.object.mass = k == 0 ? NAN : 3;
+      scene.facets = k == 1 ? 8 : 4;
+      scene.drive_count = k == 2 ? 1 : 2;
+      bodies[1].role = k == 3 ? 9 : LCPUSH_FINGER;
+      CHECK(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT);
+    }
+    CHECK(lcpush_status_of(push) == LCPUSH_SOLVED && lcpush_solve(push) == LCPUSH_SOLVED);
+    lcpush_wrench_of(push, 2, wrench);
+    CHECK(near(wrench[0], 20.02, 1e-6));
+    CHECK(lcpush_command(push, harder, NULL) == LCPUSH_RUNNING); /* it is the same scene */
+    CHECK(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+    lcpush_contact_at(push, 2, &contact);
+    CHECK(near(contact.normal_force, 30.02, 1e-6));
+  }
+}
+
+/* Numbers of anything whose bytes no size_t counts. */
+static void refuses_sizes_that_overflow(void) {
+  static const lcpush_size sizes[] = {
+      {1 << 28, 3, 4, 2, 2, 0},       {3, 1 << 28, 4, 2, 2, 0},       {3, 3, 1 << 28, 2, 2, 0},
+      {3, 3, 4, 1 << 28, 2, 0},       {3, 3, 4, 2, 1 << 28, 0},       {3, 3, 4, 2, 2, 1 << 28},
+      {3, 1 << 16, 1 << 16, 2, 2, 0}, {3, 1 << 11, 4, 2, 1 << 18, 0}, {3, 3, 4, 1 << 13, 2, 0}};
+  size_t k;
+  for (k = 0; k < sizeof sizes / sizeof sizes[0]; ++k) {
+    CHECK(lcpush_make(memory_d, sizeof memory_d, &sizes[k]) == NULL);
+    CHECK(lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &sizes[k]) == NULL);
+    CHECK(lcpushf_make(memory_f, sizeof memory_f, &sizes[k]) == NULL);
+  }
 }
 
 static void wants_enough_memory(void) {
@@ -423,10 +617,15 @@ int main(void) {
   solves_in_float();
   steps_as_it_solves();
   obeys_commands();
+  goes_on_after_a_limit();
+  keeps_the_last_answer();
   commands_go_on_from_the_last_basis();
   breaks_the_grasp();
   sweeps_agree();
   refuses_nonsense();
+  refuses_what_is_not_finite();
+  refusals_change_nothing();
+  refuses_sizes_that_overflow();
   wants_enough_memory();
   friction_may_be_round();
   even_pressure_spreads();

@@ -2,7 +2,7 @@
 
 A block begins with ```console; a line "$ lcpush ..." is run from the project's root, and what stands
 between it and the next such line or the block's end must be its output, standard error included. A
-line of only "..." stands for any lines. In docs/guide, docs/teach and docs/embed, a command in a ```sh or ```text
+line of only "..." stands for any lines. In docs/guide, teach, embed and check, a command in a ```sh or ```text
 block that ends in "-o docs/X.svg" draws that picture.
 """
 import pathlib
@@ -66,12 +66,12 @@ if count == 0:
 
 assert same_drawing('<a x="1.01"/>', '<a x="1.0"/>') and not same_drawing('<a x="1"/>', '<a x="2"/>')
 pictures = 0
-for page in [page for room in ("guide", "teach", "embed") for page in (source / "docs" / room).glob("*.md")]:
+for page in [page for room in ("guide", "teach", "embed", "check") for page in (source / "docs" / room).glob("*.md")]:
     for block in re.findall(r"```(?:sh|text)\n(.*?)```", page.read_text(), flags=re.S):
         for command, name in re.findall(r"^(lcpush .*?) -o (docs/\S+\.svg)$", block.replace("\\\n", " "), flags=re.M):
             if not same_drawing((source / name).read_text(), run(command, subprocess.DEVNULL)):
                 sys.exit(f"{page.relative_to(source)}: `{command}` draws another picture than {name}")
             pictures += 1
-if pictures < 14:
+if pictures < 20:
     sys.exit(f"{pictures} pictures found")
 print(f"{count} transcripts, {pictures} pictures: ok")

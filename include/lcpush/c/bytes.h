@@ -5,8 +5,8 @@
 /* What alignment takes beside a float's on 32 bits: of doubles, where vectors of them may be
  * aligned by 16, and of 64 bits. */
 #define LCPUSH_GAP_(real) (8 * (LCPUSH_WORD_ - 4) + 4 * (sizeof(real) - 4))
-/* A push itself, a body, a drive, a contact's assembly, and its answer. */
-#define LCPUSH_STATE_BYTES_(real) (352 * LCPUSH_WORD_ + 136 * sizeof(real) + 2 * LCPUSH_GAP_(real))
+/* A push itself with its scene, a body, a drive, a contact's assembly, and its answer. */
+#define LCPUSH_STATE_BYTES_(real) (342 * LCPUSH_WORD_ + 164 * sizeof(real) + 3 * LCPUSH_GAP_(real))
 #define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_POINT_BYTES_(real) (18 * sizeof(real) + 5 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
@@ -15,6 +15,7 @@
 #define LCPUSH_COMMON_BYTES_(real, bodies, points, forces, actuators, drives)                      \
   (LCPUSH_STATE_BYTES_(real) + (bodies)*LCPUSH_BODY_BYTES_(real) +                                 \
    (drives)*LCPUSH_DRIVE_BYTES_(real) + (points)*LCPUSH_POINT_BYTES_(real) +                       \
+   (points)*LCPUSH_CONTACT_BYTES_(real) + ((forces) - (points) + (actuators)) * sizeof(real) +     \
    (forces)*6 * sizeof(real) + ((forces) + (points) + (actuators)) * (2 * sizeof(real) + 2) +      \
    (forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +                       \
    (actuators) * (6 * sizeof(real) + 2 * LCPUSH_WORD_) + 36 + 8 * LCPUSH_GAP_(real) +              \

@@ -78,28 +78,32 @@ typedef struct LCPUSH_NAME(breaking) {
 typedef struct LCPUSH_NAME(push) LCPUSH_NAME(push);
 
 /* A push in `memory`, which stays the caller's, aligned as a double, and must not move while the
- * push is used. NULL if `bytes` are too few for `size`, or that are more than 16383 unknowns or
- * 2047 points. It is solved by Lemke's pivots. */
+ * push is used. NULL if `bytes` are too few for `size`, or that are more than 16383 unknowns,
+ * 2047 points, or 8191 of anything. It is solved by Lemke's pivots. */
 LCPUSH_NAME(push) * LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size);
 
 /* The same, solved by sweeps of Gauss-Seidel: for patches of dozens of points. */
 LCPUSH_NAME(push) *
     LCPUSH_NAME(make_for_sweeps)(void* memory, size_t bytes, const lcpush_size* size);
 
-/* Copies and checks the scene, which may go away afterwards, and assembles its equations.
- * RUNNING (ready to solve), or BAD_INPUT with lcpush_why. Cost: O(forces drives). */
+/* Copies and checks the scene, which may go away afterwards, and assembles its equations; the last
+ * answer is forgotten. RUNNING (ready to solve), or BAD_INPUT with lcpush_why: then scene and
+ * answer are still those of before. The same holds for every other call that says BAD_INPUT. Cost:
+ * O(forces drives). */
 lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(scene) * scene);
 
-/* New grip forces and prescribed accelerations for the same contacts, without another check of the
- * rest: for control loops. A force an actuator, six numbers of acceleration a body, in the scene's
- * order; either may be NULL: as they were. The solve starts where the last one ended, most often a
- * few pivots away. Where several forces or motions obey the laws, it stays with the last ones:
- * lcpush_describe forgets them. */
+/* New grip forces and prescribed accelerations for the same contacts: for control loops. A force an
+ * actuator, six numbers of acceleration a body, in the scene's order; either may be NULL: as they
+ * were. The solve starts where the last one ended, most often a few pivots away. Where several
+ * forces or motions obey the laws, it stays with the last ones: lcpush_describe forgets them. A
+ * solve that is under way ends; the new one begins at its basis, mostly nearer to the end. Only a
+ * command that changes nothing lets it go on. */
 lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
                                    const LCPUSH_REAL* accelerations);
 
-/* At most `pivots` steps of one pivot each, the first call after describe or command starts; a push
- * made for sweeps solves all at once. RUNNING, or how the solve ended. Cost of a step: O(n) and
+/* At most `pivots` steps of one pivot each, the first call after describe or command starts and the
+ * next ones go on; a push made for sweeps solves all at once. RUNNING, or how the solve ended. With
+ * pivots <= 0 it says so and does nothing. Cost of a step: O(n) and
  * O(points^2). At the end of a round of the pad law, or when a basis is factored afresh, O(n) and
  * O(points^3). */
 lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots);
@@ -112,16 +116,26 @@ lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push);
 lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
                                        LCPUSH_NAME(breaking) * breaking);
 
-/* The most pivots a solve may take altogether; 0, the default: each run's own limit alone. */
+/* The most pivots a solve may take before it says PIVOT_LIMIT; 0, the default: each run's own limit
+ * alone. The next lcpush_step or lcpush_solve goes on where it was interrupted, for as many again.
+ */
 void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots);
 
-/* After SOLVED; otherwise zeros. */
+/* The last answer: of the last solve that ended in SOLVED, or of lcpush_break_grasp, since
+ * lcpush_describe. It stays while a later solve is under way, has failed or was refused. Zeros
+ * where there is none. */
 void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6]);
 void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point, LCPUSH_NAME(contact) * out);
 void LCPUSH_NAME(wrench_of)(const LCPUSH_NAME(push) * push, int body, LCPUSH_REAL out[6]);
 LCPUSH_REAL LCPUSH_NAME(closing_of)(const LCPUSH_NAME(push) * push, int actuator);
 
-/* The largest scaled violation of any law, by a check that shares nothing with the solver. */
+/* How many ticks old it is: 0 right after SOLVED, -1: there is none. A tick is a command, taken or
+ * refused, with the steps that follow, or without a command each step that ends without an answer.
+ */
+int LCPUSH_NAME(age)(const LCPUSH_NAME(push) * push);
+
+/* By how much it violates the laws of the scene as last commanded, at most and scaled, by a check
+ * that shares nothing with the solver. Cost at an age > 0: O(forces). */
 LCPUSH_REAL LCPUSH_NAME(residual)(const LCPUSH_NAME(push) * push);
 
 lcpush_status LCPUSH_NAME(status_of)(const LCPUSH_NAME(push) * push);

@@ -131,7 +131,7 @@ public:
 private:
   Span<S> scalars_;
   Span<Int> integers_;
-  Problem<S> problem_;
+  LCPUSH_SEATED(Problem<S>, problem_);
   LemkeOptions<S> options_;
   Index n_ = 0;
   Index rhs_count_ = 1;
@@ -154,13 +154,18 @@ private:
   S ray_artificial_{0};
 
   S rhs_scale_[detail::max_rhs] = {};
-  VectorMap<S> covering_{nullptr, 0};    // as given: d, scaled rows
-  MatrixMap<S> solution_{nullptr, 0, 0}; // finite, push
-  VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, row_sum_{nullptr, 0};
-  VectorMap<S> ray_{nullptr, 0};
+  LCPUSH_SEATED(VectorMap<S>, covering_); // as given: d, scaled rows
+  LCPUSH_SEATED(MatrixMap<S>, solution_); // finite, push
+  LCPUSH_SEATED(VectorMap<S>, row_scale_);
+  LCPUSH_SEATED(VectorMap<S>, column_scale_);
+  LCPUSH_SEATED(VectorMap<S>, row_sum_);
+  LCPUSH_SEATED(VectorMap<S>, ray_);
   // Scratch: the columns of the solution, until there is one; and what the basis shares.
-  VectorMap<S> trial_{nullptr, 0}, product_{nullptr, 0}, scratch_{nullptr, 0};
-  Span<Int> candidates_, target_;
+  LCPUSH_SEATED(VectorMap<S>, trial_);
+  LCPUSH_SEATED(VectorMap<S>, product_);
+  LCPUSH_SEATED(VectorMap<S>, scratch_);
+  LCPUSH_SEATED(Span<Int>, candidates_);
+  LCPUSH_SEATED(Span<Int>, target_);
 
   // The pivots.
   template <class Watcher> Status start(Watcher& watcher);

@@ -55,7 +55,7 @@ template <class S, class B> bool Lemke<S, B>::carve() {
 
 template <class S, class B>
 Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& options) {
-  problem_ = problem;
+  new (&problem_) Problem<S>(problem);
   options_ = options;
   n_ = problem.size;
   rhs_count_ = finite_rhs() + 1 + (has_push() ? 1 : 0);

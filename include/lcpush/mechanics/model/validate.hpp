@@ -8,7 +8,7 @@ namespace lcpush {
 enum class Mistake {
   none,
   memory_too_small, ///< more than was promised
-  not_finite,       ///< a number is NaN or infinite
+  not_finite,       ///< a number is NaN or infinite, or too large to go on with
   mass,             ///< mass <= 0, or an inertia that is not symmetric positive definite
   facets,           ///< not even, or outside of 4..256
   direction,        ///< a normal or tangent that is no unit vector, or not orthogonal
@@ -46,7 +46,11 @@ constexpr const char* mistake_text(Mistake mistake) {
 
 namespace detail {
 
-template <class S> bool is_finite(const S& x) { return x - x == S(0); }
+/// And not so large that the square of a product of two overflows: 4e9 in float.
+template <class S> bool is_finite(const S& x) {
+  const S square = x * x, power = square * square;
+  return power - power == S(0);
+}
 template <class V> bool all_finite(const V& v) {
   for (Index i = 0; i < v.size(); ++i)
     if (!is_finite(v[i])) return false;

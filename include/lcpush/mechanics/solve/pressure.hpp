@@ -48,7 +48,7 @@ public:
     run_.reason = unsupported_reason(assembly_);
     if (run_.reason != Reason::none) return Status::bad_input;
     stiff_starts_ = fine_ = 0;
-    friction_.begin();
+    if (!options_.keeps_cones) friction_.begin();
     return is_pad() ? begin_pads(Phase::soft_pads) : begin_literal();
   }
 

@@ -31,6 +31,8 @@ template <class S> struct PressureOptions {
   S finest{0};
   bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
   bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
+  bool keeps_cones =
+      false; ///< round friction: from the cones as an interrupted solve has left them
 };
 
 /// Of round friction: which points' pyramids turn, by how much of mu lambda their friction takes

@@ -28,21 +28,20 @@ public:
   }
   /// The same of numbers, and of records that are all zeros when they begin: no loop for each type.
   template <class T> Span<T> zeros(Index count) {
-    void* const bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
-    return {static_cast<T*>(bytes), count};
+    Span<T> taken;
+    seat(taken, count);
+    return taken;
   }
 
   /// Zeros, an array of `count` for each of the spans.
-  template <class... T> void fill(Index count, Span<T>&... spans) {
-    ((spans = zeros<T>(count)), ...);
-  }
+  template <class... T> void fill(Index count, Span<T>&... spans) { (seat(spans, count), ...); }
 
   /// Bytes of zeros at an address that `alignment` divides; null, and exhausted(), if fewer are
   /// left.
   void* take_bytes(Index count, std::size_t alignment) {
     const auto address = reinterpret_cast<std::uintptr_t>(rest_.data);
     const Index skip = static_cast<Index>((alignment - address % alignment) % alignment);
-    if (skip + count > rest_.size) {
+    if (count < 0 || count > rest_.size - skip) {
       exhausted_ = true;
       return nullptr;
     }
@@ -53,10 +52,18 @@ public:
   }
 
   bool exhausted() const { return exhausted_; }
+  const Span<unsigned char>& rest() const { return rest_; }
 
 private:
   Span<unsigned char> rest_;
   bool exhausted_ = false;
+
+  template <class T> void seat(Span<T>& span, Index count) {
+    // A product that no Index holds is below 0.
+    const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(T);
+    span.data = static_cast<T*>(take_bytes(static_cast<Index>(bytes), alignof(T)));
+    span.size = count;
+  }
 };
 
 /// Integers of Lemke's: int, or as narrow as those of make_small_workspace.
@@ -151,8 +158,8 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
 template <class S> Workspace<S> take_alone(Arena& arena, const AssemblySize& size) {
   Workspace<S> w = take_common<S>(arena, size);
   arena.fill(size.points, w.answer.contacts);
-  arena.fill(size.unknowns(), w.pressure.z);
   arena.fill(size.generators, w.answer.friction);
+  arena.fill(size.unknowns(), w.pressure.z);
   return w;
 }
 

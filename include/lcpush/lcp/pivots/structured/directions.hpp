@@ -107,6 +107,7 @@ private:
 /// generators of a cone have one scale.
 template <class S, class Int> class ReadDirections {
 public:
+  ReadDirections() {}
   static constexpr Index scalars(Index /*n*/, Index /*shared*/) { return 0; }
   static constexpr Index integers(Index cones, Index shared) {
     return cones + shared * (2 + cones);
@@ -191,10 +192,11 @@ public:
 private:
   const FactoredProblem<S>* problem_ = nullptr;
   Index first_sum_ = 0, shared_ = 0;
-  VectorMap<S> scale_{nullptr, 0};
-  Span<Int> opposite_; // of cones: generator j + opposite_ is the opposite of generator j, unless 0
-  Span<Int> sum_;      // of shared actuators: the sum group
-  Span<Int> entries_;  // of cones and them: first_entries
+  LCPUSH_SEATED(VectorMap<S>, scale_);
+  // Of cones: generator j + opposite_ is the opposite of generator j, unless 0.
+  LCPUSH_SEATED(Span<Int>, opposite_);
+  LCPUSH_SEATED(Span<Int>, sum_);     // of shared actuators: the sum group
+  LCPUSH_SEATED(Span<Int>, entries_); // of cones and them: first_entries
 
   /// Of each shared actuator, where in its couplings those of the cone's forces begin; they end
   /// where the next cone's begin.

@@ -69,6 +69,7 @@ template <class S, class M> class LocalForm {
   using Directions = typename M::template Directions<S>;
 
 public:
+  LocalForm() {}
   static constexpr Index scalars(Index n, Index cones, Index shared) {
     const Index width = 6 + shared;
     return Directions::scalars(n, shared) + 4 * width + size_of_core(cones, width) + n + 3 * cones +
@@ -225,15 +226,26 @@ private:
   static constexpr int flipped = 8;         // a bit that no role has
   static constexpr unsigned one_group = 16; // above those of roles and flipped
   Directions directions_;
-  VectorMap<S> d_{nullptr, 0}, d_force_{nullptr, 0}, force_{nullptr, 0};
-  VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0}; // v = C (A F, -s), and what C is applied to
+  LCPUSH_SEATED(VectorMap<S>, d_);
+  LCPUSH_SEATED(VectorMap<S>, d_force_);
+  LCPUSH_SEATED(VectorMap<S>, force_);
+  LCPUSH_SEATED(VectorMap<S>, v_); // v = C (A F, -s), and what C is applied to
+  LCPUSH_SEATED(VectorMap<S>, core_input_);
   // Of shared actuators, the variable that is not basic: s, or w once s is basic.
-  VectorMap<S> actuator_input_{nullptr, 0}, d_actuator_input_{nullptr, 0};
-  MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
+  LCPUSH_SEATED(VectorMap<S>, actuator_input_);
+  LCPUSH_SEATED(VectorMap<S>, d_actuator_input_);
+  LCPUSH_SEATED(MatrixMap<S>, springs_); // sum of g h' / c, and C
+  LCPUSH_SEATED(MatrixMap<S>, core_);
   bool has_springs_ = false;
-  Span<S> friction_, compliance_, own_coupling_, inertia_;
-  Span<Int> state_; // of slots: role, `flipped`, and its cone or the number of a shared actuator
-  Span<Int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
+  LCPUSH_SEATED(Span<S>, friction_);
+  LCPUSH_SEATED(Span<S>, compliance_);
+  LCPUSH_SEATED(Span<S>, own_coupling_);
+  LCPUSH_SEATED(Span<S>, inertia_);
+  // Of slots: role, `flipped`, and its cone or the number of a shared actuator.
+  LCPUSH_SEATED(Span<Int>, state_);
+  LCPUSH_SEATED(Span<Int>, normal_); // of cones: the slots in these roles, -1 for none
+  LCPUSH_SEATED(Span<Int>, slip_);
+  LCPUSH_SEATED(Span<Int>, own_actuator_);
 
   Index width() const { return directions_.width(); }
   bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }

@@ -31,6 +31,7 @@ public:
   using Memory = M;
   using Integer = typename M::Integer;
   using Int = Integer;
+  StructuredBasis() {}
   static constexpr bool takes_matrix = false; ///< of factored problems alone
   Dictionary<S, Int> dictionary;              ///< its table: the entering column alone
 
@@ -104,11 +105,15 @@ public:
 private:
   detail::LocalForm<S, M> form_;
   Index n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
-  MatrixMap<S> inverse_{nullptr, 0, 0}; // t x t: rows as in_, columns as out_
-  VectorMap<S> rates_{nullptr, 0};      // of slots in_, as one enters
-  VectorMap<S> along_row_{nullptr, 0}, along_column_{nullptr, 0}; // of M at out_, in_: scratch
-  Span<Int> out_, in_;       // k: a row whose base variable has left, and the slot now there
-  Span<Int> out_at_, in_at_; // row, slot: their k, -1 for none
+  LCPUSH_SEATED(MatrixMap<S>, inverse_);   // t x t: rows as in_, columns as out_
+  LCPUSH_SEATED(VectorMap<S>, rates_);     // of slots in_, as one enters
+  LCPUSH_SEATED(VectorMap<S>, along_row_); // of M at out_, in_: scratch
+  LCPUSH_SEATED(VectorMap<S>, along_column_);
+  // k: a row whose base variable has left, and the slot now there; row, slot: their k, -1 for none.
+  LCPUSH_SEATED(Span<Int>, out_);
+  LCPUSH_SEATED(Span<Int>, in_);
+  LCPUSH_SEATED(Span<Int>, out_at_);
+  LCPUSH_SEATED(Span<Int>, in_at_);
 
   /// Column k of K^-1: what row out_[k] brings about.
   S* of_row(Index k) { return inverse_.data() + k * capacity_; }

@@ -1,0 +1,90 @@
+"""Forty motions against closed forms that share no code with the tool, and their judge: what it refuses, and engines."""
+import importlib.util
+import json
+import re
+import subprocess
+import sys
+import unittest
+
+from tool import SOURCE, TOOL, ToolTest, main, run
+
+FOLDER = SOURCE / "fixtures/canonical"
+SCORE = FOLDER / "score.py"
+PAGE = (SOURCE / "docs/check/canonical.md").read_text()
+spec = importlib.util.spec_from_file_location("score", SCORE)
+score = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(score)
+
+
+def scored(*words):
+    result = subprocess.run([sys.executable, SCORE, *map(str, words)], capture_output=True, text=True, cwd=SOURCE)
+    return result.returncode, result.stdout
+
+
+class Canonical(ToolTest):
+    def test_forty_motions_are_within_their_tolerance_and_most_of_them_far_within(self):
+        status, text = scored(TOOL)
+        self.assertEqual((status, text.splitlines()[-1]), (0, "43 of 43 within their tolerance"), text)
+        self.assertEqual(len({motion["scene"] for motion in score.MOTIONS}), 40)
+        used = {line.split()[0]: abs(float(off) / float(allowed)) for line in text.splitlines()[:-1]
+                for off, allowed in re.findall(r"(\S+) of (\d\S+) ", line)}
+        self.assertEqual({name for name, part in used.items() if part > 0.1}, {"slides_and_spins", "thrown_cube_rest"})
+        self.assertEqual({path.name for path in FOLDER.glob("*.toml")},
+                         {motion["scene"] for motion in score.MOTIONS if "/" not in motion["scene"]})
+
+    def test_formulas_have_the_values_that_a_pocket_calculator_has(self):
+        for name, value in (("thrown_cube", 3.669725), ("thrown_cube_rest", 1.223242), ("ramp_20_03", 0.0737128),
+                            ("ramp_20_05", 0), ("pendulum", 0.144294), ("pressed_from_above", 100 / 3)):
+            self.assertAlmostEqual(score.evaluated(score.BY_NAME[name])[1], value, delta=1e-6, msg=name)
+        # A physical pendulum of 60 degrees takes 1.0732 times as long as a small one.
+        self.assertAlmostEqual(1 / score.agm(1, 3 ** 0.5 / 2), 1.07318, delta=1e-5)
+
+    def test_the_error_halves_with_the_step(self):
+        for name, step in (("point_push", 1), ("pendulum", 0.002), ("backspin_ball", 0.002)):
+            off = [float(re.search(r"(\S+) of ", scored(TOOL, name, "--step", h)[1])[1]) for h in (step, step / 2)]
+            self.assertAlmostEqual(off[0] / off[1], 2, delta=0.1, msg=name)
+
+    def test_a_trajectory_is_judged_from_csv_and_json_alike_and_a_wrong_one_refused(self):
+        for name in ("ramp_20_03", "thrown_up_turns", "wedge_bears", "ramp_tips"):
+            motion = score.BY_NAME[name]
+            words = ("move", FOLDER / motion["scene"], "--time", motion["time"], "--frames", 401)
+            rows = run(*words, "--format", "csv").stdout
+            frames = score.from_text(run(*words, "--json").stdout)
+            self.assertEqual(scored("--trajectory", self.file("a.csv", rows), name)[0], 0)
+            bare = [{key: frame[key] for key in ("time", "position", "rotation")} for frame in frames]
+            status, text = scored("--trajectory", self.file("bare.json", json.dumps({"frames": bare})), name)
+            self.assertEqual((status, "does not say" in text), (1, True) if name == "wedge_bears" else (0, False))
+            for frame in frames:  # one per cent off
+                frame["position"] = [1.01 * x for x in frame["position"]]
+                frame["time"] *= 1.01 if motion["quantity"] == "turn" else 1
+                frame["twist"] = [1.01 * x for x in frame["twist"]]
+                for body in frame["bodies"]:
+                    body["force"] = [1.01 * x for x in body["force"]]
+            self.assertIsNotNone(score.measured(motion, frames))
+            self.assertFalse(score.verdict(motion, score.evaluated(motion)[1], score.measured(motion, frames))[0], name)
+        for spoilt in ("", "{}", "time,x,y,z\n0,0,0,0\n", "time,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,nan,0,0,1,0,0,0\n",
+                       "time,x,y,z,qw,qx,qy,qz\n1,0,0,0,1,0,0,0\n1,0,0,0,1,0,0,0\n"):
+            status, text = scored("--trajectory", self.file("spoilt", spoilt), "held")
+            self.assertEqual((status, " - of " in text), (1, True), spoilt)
+        self.assertEqual(scored("--trajectory", self.file("a.csv", "x"), "no_such_motion")[0], 1)
+
+    def test_an_engine_of_a_few_lines_is_judged_as_the_page_shows(self):
+        status, text = scored("--engine", "python3 fixtures/canonical/toy_engine.py",
+                              "ramp_20_03", "ramp_20_05", "thrown_cube", "thrown_up")
+        self.assertEqual(status, 1)
+        self.assertIn(f"```text\n{text}```", PAGE)
+        self.assertLess(len((FOLDER / "toy_engine.py").read_text().splitlines()), 30)
+
+    def test_the_page_has_the_tables_that_the_runner_writes(self):
+        for table in scored("--table")[1].strip().split("\n\n"):
+            self.assertIn(table, PAGE)
+
+    def test_a_picture_leaves_a_table_level_under_what_tips_or_flies(self):
+        for name, time in (("tray_tips", 0.2), ("thrown_up", 0.3)):
+            svg = run("move", FOLDER / f"{name}.toml", "--time", time, "--format", "svg").stdout
+            pad = re.search(r'class="pad [^"]*" points="([^"]*)"', svg)[1]
+            heights = [float(y) for y in re.findall(r",(\S+)", pad)]
+            self.assertLess(max(heights) - min(heights), 15, name)  # its thickness is 9
+
+
+main()
