@@ -46,10 +46,10 @@ constexpr Style as_latex = {number_latex,    name_latex, "",         "1",
 
 bool is_zero(const TraceNumber& x) { return x.value == 0; }
 
-std::string value_in(const Style& style, const TraceValue& value) {
-  const std::string rest = style.number(value.finite), space = style.space;
+std::string value_in(const Style& notation, const TraceValue& value) {
+  const std::string rest = notation.number(value.finite), space = notation.space;
   if (!value.has_S()) return rest;
-  std::string text = style.number(value.times_S);
+  std::string text = notation.number(value.times_S);
   text = text == "1" ? "S" : text == "-1" ? "-S" : text + space + "S";
   if (is_zero(value.finite)) return text;
   const bool is_negative = rest[0] == '-';
@@ -57,20 +57,23 @@ std::string value_in(const Style& style, const TraceValue& value) {
 }
 
 /// The names first; the pivot element is boxed.
-TableRows cells_of(const Style& style, const PivotTrace& trace, const Tableau& tableau,
+TableRows cells_of(const Style& notation, const PivotTrace& trace, const Tableau& tableau,
                    const TracedPivot* pivot) {
-  TableRows rows{{"", style.value}};
-  for (const Index variable : tableau.columns) rows[0].push_back(style.name(trace.name(variable)));
-  if (pivot != nullptr) rows[0].push_back(style.ratio);
+  TableRows rows{{"", notation.value}};
+  for (const Index variable : tableau.columns)
+    rows[0].push_back(notation.name(trace.name(variable)));
+  if (pivot != nullptr) rows[0].push_back(notation.ratio);
   for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
-    rows.push_back({style.name(trace.name(tableau.rows[i])), value_in(style, tableau.values[i])});
+    rows.push_back(
+        {notation.name(trace.name(tableau.rows[i])), value_in(notation, tableau.values[i])});
     for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
-      const std::string cell = style.number(tableau.entry(i, j));
+      const std::string cell = notation.number(tableau.entry(i, j));
       rows.back().push_back(
-          pivot != nullptr && pivot->is_at(i, j) ? style.box + cell + style.box_end : cell);
+          pivot != nullptr && pivot->is_at(i, j) ? notation.box + cell + notation.box_end : cell);
     }
     if (pivot != nullptr)
-      rows.back().push_back(pivot->ratios[i] ? value_in(style, *pivot->ratios[i]) : style.no_ratio);
+      rows.back().push_back(pivot->ratios[i] ? value_in(notation, *pivot->ratios[i])
+                                             : notation.no_ratio);
   }
   return rows;
 }
