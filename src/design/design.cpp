@@ -260,12 +260,12 @@ private:
       const auto rooms = [&](const Values& by) {
         const Values at = moved(by);
         const DesignModel* const model = possible_model_at(at);
-        Rooms rooms{};
-        if (model == nullptr) return rooms;
+        Rooms there{};
+        if (model == nullptr) return there;
         const std::array<double, 4> sticks = model->rooms(at, wanted());
-        std::copy(sticks.begin(), sticks.end(), rooms.begin());
-        rooms[4] = is_held_back_ ? model->hold_room(at, wanted()) : design_settings.enough;
-        return rooms;
+        std::copy(sticks.begin(), sticks.end(), there.begin());
+        there[4] = is_held_back_ ? model->hold_room(at, wanted()) : design_settings.enough;
+        return there;
       };
       const Values here(which.size(), 0);
       const Rooms middle = rooms(here);
