@@ -16,17 +16,7 @@ constexpr double radius = 0.01;            // m, the fingers' torsion radius
 
 /// A plate that soft fingers ride on, and a tip that sticks to its side and pushes it off its axis.
 SceneFile pushed_plate(const std::string& facets) {
-  const auto finger = [](const std::string& name, const std::string& z, const std::string& n) {
-    return "[[finger]]\nname = \"" + name + "\"\nshape = \"point\"\ncenter = [0, 0, " + z +
-           "]\nnormal = [0, 0, " + n +
-           "]\nfriction = 0.5\ntorsion_radius = 0.01\ngrip_force = 20\npoints_on = \"object\"\n";
-  };
-  return parse_scene("facets = " + facets +
-                         "\nplanar = true\n[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" +
-                         finger("left", "0.005", "-1") + finger("right", "-0.005", "1") +
-                         "[[pusher]]\nname = \"tip\"\nshape = \"point\"\n"
-                         "center = [-0.005, -0.015, 0]\nnormal = [0, 1, 0]\nfriction = 5\n"
-                         "velocity = [0, 0.0001, 0]\n",
+  return parse_scene("facets = " + facets + "\n" + test::scene_text("../canonical/point_push.toml"),
                      "s.toml", Strokes::all);
 }
 
