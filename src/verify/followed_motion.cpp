@@ -48,10 +48,11 @@ private:
   double allowed_;
   FollowedMotion laws_;
 
-  /// By how much the laws lead the points of contact elsewhere, m, interval for interval, summed
+  /// By how much the laws lead the telling points elsewhere, m, interval for interval, summed
   /// up: each in so many steps from the given place, at the velocity to which they have led before.
   std::optional<Eigen::VectorXd> led_astray(std::size_t from, std::size_t to, int parts) {
-    Eigen::VectorXd astray = Eigen::VectorXd::Zero(3 * static_cast<Index>(file_.points.size()));
+    const std::vector<Vector3<double>> points = telling_points(file_);
+    Eigen::VectorXd astray = Eigen::VectorXd::Zero(3 * static_cast<Index>(points.size()));
     Vector6<double> velocity = velocity_at(given_, from);
     for (std::size_t k = from + 1; k <= to; ++k) {
       laws_.begin_at(k - 1, velocity);
@@ -62,9 +63,9 @@ private:
           return std::nullopt;
       const MotionRun::Stepper& end = laws_.run().stepper();
       velocity = end.velocity();
-      for (std::size_t i = 0; i < file_.points.size(); ++i)
+      for (std::size_t i = 0; i < points.size(); ++i)
         astray.segment<3>(3 * static_cast<Index>(i)) +=
-            end.pose().at(file_.points[i]) - given_[k].pose.at(file_.points[i]);
+            end.pose().at(points[i]) - given_[k].pose.at(points[i]);
     }
     return astray;
   }
@@ -127,10 +128,27 @@ Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size
   return mean_twist(from.pose, to.pose, to.time - from.time);
 }
 
+std::vector<Vector3<double>> telling_points(const SceneFile& file) {
+  std::vector<Vector3<double>> points(file.points.begin(), file.points.end());
+  Vector3<double> along = Vector3<double>::Zero();
+  for (const Vector3<double>& p : points)
+    if ((p - points[0]).norm() > along.norm()) along = p - points[0];
+  const double size = object_size(file);
+  const auto is_beside = [&](const Vector3<double>& p) {
+    const Vector3<double> way = p - points[0], line = along.normalized();
+    return (way - way.dot(line) * line).norm() > VerifySettings::digits * size;
+  };
+  if (!std::any_of(points.begin(), points.end(), is_beside))
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {-size / 2, size / 2})
+        points.emplace_back(side * Vector3<double>::Unit(axis));
+  return points;
+}
+
 double fastest_point(const SceneFile& file, const Pose<double>& object,
                      const Vector6<double>& twist) {
   double most = 0;
-  for (const Vector3<double>& p : file.points)
+  for (const Vector3<double>& p : telling_points(file))
     most = std::max(most, acceleration_at<double>(object.rotation * p, twist).norm());
   return most;
 }

@@ -15,11 +15,12 @@ namespace {
 
 using Settings = VerifySettings;
 
-/// m/s over a step: the largest difference of a contact point's place on the object.
+/// m/s over a step: the largest difference of a telling point's place.
 double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
                      double h) {
   double most = 0;
-  for (const Vector3<double>& p : file.points) most = std::max(most, (a.at(p) - b.at(p)).norm());
+  for (const Vector3<double>& p : telling_points(file))
+    most = std::max(most, (a.at(p) - b.at(p)).norm());
   return std::max(0.0, most - Settings::digits * object_size(file)) / h;
 }
 
@@ -28,7 +29,7 @@ double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<do
 double speed_from_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
                           const Pose<double>& to, double h) {
   double along = 0, square = 0;
-  for (const Vector3<double>& p : file.points) {
+  for (const Vector3<double>& p : telling_points(file)) {
     const Vector3<double> way = b.at(p) - a.at(p);
     along += way.dot(to.at(p) - a.at(p));
     square += way.squaredNorm();

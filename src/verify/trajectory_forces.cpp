@@ -1,4 +1,5 @@
 #include "verify/trajectory_forces.hpp"
+#include "verify/followed_motion.hpp"
 #include "verify/settings.hpp"
 
 #include <algorithm>
@@ -34,6 +35,8 @@ public:
       step_ = seen_.step(k);
       if (!(step_.h > 0)) continue;
       frame_ = &frames_[k];
+      const Vector6<double> twist = velocity_at(frames_, k);
+      step_.fastest = std::max(step_.fastest, fastest_point(file_, frame_->pose, twist));
       judge_frame();
     }
     if (report_.frames == 0) return std::nullopt;

@@ -1,5 +1,6 @@
 """lcpush verify --trajectory: other people's motions, step by step."""
 import json
+import math
 
 from tool import SOURCE, ToolTest, main, run, unwrapped
 
@@ -156,6 +157,23 @@ center = [-0.0109, -0.0158, 0]
         still = self.file("s.csv", "\n".join(["time,x,y,z,qw,qx,qy,qz", "0,0,0,0,1,0,0,0",
                                               "0.1,0,0,0,1,0,0,0", "0.2,0,0,0,1,0,0,0"]))
         self.assertEqual(self.verdict(scene, still)[0]["verdict"], "follows")
+
+    def test_turns_about_the_line_of_all_contact_points_are_seen(self):
+        head = "time,x,y,z,qw,qx,qy,qz"
+        for name, time, spin in (("pendulum", 0.2, 0), ("soft_spin_down", 0.05, 20), ("bowling_ball", 0.2, 0)):
+            scene = SOURCE / f"fixtures/canonical/{name}.toml"
+            own = run("move", scene, "--time", time, "--frames", 101, "--json").stdout
+            self.assertEqual(self.verdict(scene, self.file("own.json", own))[0]["verdict"], "follows", name)
+            # It hangs still, or does not stop; and a ball that turns about the vertical with nothing that turns it.
+            about = "0,0,{s}" if name == "soft_spin_down" else "0,{s},0"
+            rows = []
+            for frame in json.loads(own)["frames"]:
+                half = (50 if name == "bowling_ball" else spin) * frame["time"] / 2
+                place = frame["position"] if name == "bowling_ball" else (0, 0, 0)
+                turn = f"{math.cos(half)},{about.format(s=math.sin(half))}"
+                rows.append(f"{frame['time']},{place[0]},{place[1]},{place[2]},{turn}")
+            report, code = self.verdict(scene, self.file("wrong.csv", "\n".join([head, *rows])))
+            self.assertEqual((report["verdict"], code), ("differs", 1), name)
 
     def test_files_that_are_none_are_refused_with_their_line(self):
         head = "time,x,y,z,qw,qx,qy,qz\n"
