@@ -167,6 +167,7 @@ std::vector<Command> all_questions() {
           matrices_command(),
           question("problem", "SCENE", {}, json, describe_problem),
           lcp_command(),
+          contacts_command(),
           question("verify_lcp", "",
                    with_raw_options({}, {{"z", "VECTOR", ""}, tolerance, verbose_option}), words,
                    verify_raw_problem)};

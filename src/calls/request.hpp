@@ -49,6 +49,9 @@ public:
   Document trajectory() const override {
     return document("motion", "frames as move gives them, JSON or CSV");
   }
+  Document contacts() const override {
+    return {needed("problem", "the text of a JSON object with W, b and mu"), "problem"};
+  }
   std::vector<double> z(const RawProblem& problem) const override;
 
 private:

@@ -281,6 +281,13 @@ Document Arguments::answer() const {
   return {read_text_file(files_[1], limits::answer_bytes), files_[1]};
 }
 
+Document Arguments::contacts() const {
+  if (files_.empty())
+    throw UsageError(
+        "name a JSON file with W, b and mu, or a directory of W.mtx, q.mtx and mu.mtx");
+  return {"", files_.front()};
+}
+
 Document Arguments::trajectory() const {
   if (files_.size() != 1) throw UsageError("--trajectory needs one file beside it: SCENE.toml");
   const std::string path = *text("trajectory");

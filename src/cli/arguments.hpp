@@ -63,6 +63,7 @@ public:
   std::optional<commands::NumberList> list(const std::string& option, Index n) const override;
   Document answer() const override;
   Document trajectory() const override;
+  Document contacts() const override;
   std::vector<double> z(const RawProblem& problem) const override;
 
 protected:

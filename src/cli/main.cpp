@@ -34,7 +34,7 @@ constexpr std::pair<const char*, const char*> groups[] = {{"new", "start"},
 std::string overview(const std::vector<ShellCommand>& commands) {
   std::string text = "lcpush " + std::string(version_text) +
                      ": how hard to push a gripped object, and how it then slips\n"
-                     "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\n";
+                     "Usage: lcpush COMMAND FILE.. [OPTIONS]\n";
   for (const ShellCommand& command : commands) {
     std::string line;
     for (const auto& [first, group] : groups)
@@ -194,8 +194,8 @@ std::vector<ShellCommand> all_commands() {
   return {new_command(),      example_command(),    completion_command(), {solve_command()},
           {break_command()},  {hold_command()},     {move_command()},     {sweep_command()},
           {spread_command()}, {cone_command()},     {plan_command()},     {design_command()},
-          {lcp_command()},    {report_command()},   play_command(),       {verify_command()},
-          export_command(),   {matrices_command()}, {pivots_command()}};
+          {lcp_command()},    {contacts_command()}, {report_command()},   play_command(),
+          {verify_command()}, export_command(),     {matrices_command()}, {pivots_command()}};
 }
 
 } // namespace lcpush::cli

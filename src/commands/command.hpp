@@ -56,6 +56,7 @@ struct Command {
 Command solve_command();
 Command break_command();
 Command lcp_command();
+Command contacts_command();
 Command report_command();
 Command sweep_command();
 Command move_command();

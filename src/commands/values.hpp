@@ -94,6 +94,8 @@ public:
   virtual Document answer() const = 0;
   virtual Document trajectory() const = 0;
   virtual std::vector<double> z(const RawProblem& problem) const = 0;
+  /// Of a contact problem: its text, or only the name of its file or folder.
+  virtual Document contacts() const = 0;
 
   // What follows from these.
   /// Throws; `sentence` says what is wrong with the option.

@@ -50,6 +50,8 @@ ROOMS = {
     "src/solve": ("What happens in this push?", f"{CORE} {TOOLBOX} desktop dense scenes"),
     "src/raw": ("What solves this M and q?", f"{CORE} {TOOLBOX} desktop"),
     "src/enumerate": ("Which solutions has this M and q, all of them?", f"{CORE} {TOOLBOX} desktop"),
+    "src/contacts": ("Which forces obey the laws at contacts of any bodies?",
+                     f"{CORE} {TOOLBOX} desktop dense"),
     "src/sweep": ("How does the push change with a number of the scene?",
                   f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/spread": ("Which other answers are there?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),

@@ -274,6 +274,22 @@ class LcpAnswer(Answer):
         return array(self._data["w"])
 
 
+class ContactForces(Answer):
+    """Of `lcpush.contacts()`: `status`, `modes`, `residuals`, .."""
+
+    _picture = None
+
+    @property
+    def r(self) -> Any:
+        """Shape (3k,)."""
+        return array(self._data["r"])
+
+    @property
+    def u(self) -> Any:
+        """u = W r + g, shape (3k,)."""
+        return array(self._data["u"])
+
+
 class LcpSolutions(Answer):
     """Of `lcpush.lcp_all()` and `lcpush.equilibria()`: `solutions` (`z`, `w`) or `equilibria` (`row`,
     `column`, `payoffs`), the isolated ones; `components` (`vertices`, `rays`, `cells`); `complete`:

@@ -1,11 +1,12 @@
 """Raw problems: w = M z + q."""
 from __future__ import annotations
 
+import json
 import math
 from typing import Any, Dict, Iterable, Optional
 
-from ._answers import LcpAnswer, LcpSolutions, LcpVerdict, Pivots
-from ._arrays import ends, entries, findex as followed, plain, rows, table_of
+from ._answers import ContactForces, LcpAnswer, LcpSolutions, LcpVerdict, Pivots
+from ._arrays import as_json, ends, entries, findex as followed, plain, rows, table_of
 from ._errors import NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
 
@@ -109,6 +110,36 @@ def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: A
     options = {"z": plain(z, "z", problem["M"]["rows"]), "tolerance": tolerance}
     text = ask("verify_lcp", {**problem, **options})[1]
     return LcpVerdict(text, "verify_lcp", Asker("verify_lcp", problem, options))
+
+
+def contacts(W: Any, g: Any, mu: Any, *, r: Any = None, facets: Optional[int] = None,
+             normal: str = "first", tolerance: Optional[float] = None, check: bool = True,
+             progress: Optional[Progress] = None) -> ContactForces:
+    """Contact forces r, three a contact, with u = W r + g by the laws of Signorini and Coulomb.
+
+    Args:
+        W: shape (3k, 3k), symmetric and positive semidefinite: rows, an array or a sparse matrix
+        g: shape (3k,)
+        mu: shape (k,), friction
+        r: shape (3k,), somebody's forces: they are judged instead, to `tolerance` (1e-6)
+        facets: pyramids of so many sides instead of round cones
+        normal: "first" or "last" of each contact's three numbers
+        check: raise NotSolved if there is no answer
+
+    >>> contacts([[2, 0, 0], [0, 2, 0], [0, 0, 2]], [-4, 1, 0], [0.5]).modes
+    ['stick']
+    """
+    friction = plain(mu, "mu")
+    problem: Dict[str, Any] = {"W": table_of(W, "W"), "g": plain(g, "g"), "mu": friction}
+    if r is not None:
+        problem["r"] = plain(r, "r")
+    request = {"problem": json.dumps(problem, default=as_json)}
+    options = {"facets": facets, "normal": normal, "tolerance": tolerance}
+    code, text = ask("contacts", {**request, **options}, progress)
+    answer = ContactForces(text, "contacts", Asker("contacts", request, options))
+    if check and r is None and code == NOT_SOLVED:
+        raise NotSolved(answer.sentence, answer.to_dict())
+    return answer
 
 
 def pivots(M: Any, q: Any, *, exact: bool = False,

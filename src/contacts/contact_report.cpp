@@ -1,0 +1,115 @@
+// A contact problem's answer in words and in JSON; and pyramids, which Lemke's pivots solve.
+#include "contacts/settings.hpp"
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/contacts.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace lcpush::desktop {
+namespace {
+
+using Eigen::VectorXd;
+
+struct LawWords {
+  const char *key, *name, *breaks;
+};
+constexpr LawWords laws[contact_law_count] = {
+    {"signorini", "Signorini", "Signorini's law: its normal force, or how it parts, is off"},
+    {"cone", "cone", "the friction cone: friction is larger than mu r_n"},
+    {"dissipation", "dissipation", "the law of sliding: friction is not mu r_n against the slip"},
+    {"natural_map", "natural map", "the laws together, by their natural map"},
+    {"equalities", "equalities", "an equality, V' r + R l + s = 0"}};
+
+bool has_equalities(const ContactProblem& problem) { return problem.s.size() > 0; }
+
+/// In the order of the file.
+VectorXd as_given(const ContactProblem& problem, const VectorXd& x) {
+  VectorXd given = x;
+  for (Index i = 0; problem.normal_last && i < x.size(); ++i) given[i] = x[i - i % 3 + (i + 1) % 3];
+  return given;
+}
+
+std::string part_text(Index law, double size) {
+  const bool is_angle = law == static_cast<Index>(ContactLaw::dissipation);
+  return residual_text(size) + (is_angle ? " rad" : "");
+}
+
+/// What is said first.
+std::string verdict(const ContactProblem& problem, const ContactForces& answer) {
+  std::array<Index, 3> count{};
+  for (const ForceMode mode : answer.modes) ++count[static_cast<std::size_t>(mode)];
+  const auto so_many = [&](std::size_t mode, const char* one, const char* more) {
+    return std::to_string(count[mode]) + " " + (count[mode] == 1 ? one : more);
+  };
+  const std::string of = "of " + counted(problem.contacts(), "contact") + " " +
+                         so_many(1, "sticks", "stick") + ", " + so_many(2, "slips", "slip") +
+                         " and " + so_many(0, "is open", "are open") + ".\n";
+  if (answer.is_good) return (problem.r ? "The forces are right: " : "Solved: ") + of;
+  std::string text =
+      problem.r ? "The forces are refused.\n" : "Not solved: these forces break laws.\n";
+  for (Index law = 0; law < contact_law_count; ++law) {
+    const ContactResidual& worst = answer.worst[law];
+    const double most =
+        law == 2 ? std::max(answer.tolerance, ContactSettings::off_slip) : answer.tolerance;
+    const bool is_told = answer.facets == 0 || law < 2 || law == 4;
+    if (!is_told || worst.size <= most) continue;
+    text += (law == 4 ? "Row " : "Contact ") + std::to_string(worst.contact + 1) + " breaks " +
+            laws[law].breaks + ", by " + part_text(law, worst.size) + ".\n";
+  }
+  return text;
+}
+
+} // namespace
+
+std::string contacts_text(const ContactProblem& problem, const ContactForces& answer, bool all) {
+  std::string text = verdict(problem, answer) + "\n";
+  const Index k = problem.contacts(), shown = all ? k : std::min(k, ContactSettings::shown);
+  const double zero = ContactSettings::solved * answer.r.cwiseAbs().maxCoeff(),
+               still = ContactSettings::solved * problem.b.cwiseAbs().maxCoeff();
+  TableRows rows = {{"contact", "normal force", "friction", "slip speed", "mode"}};
+  for (Index c = 0; c < shown; ++c) {
+    const auto r = answer.r.segment<3>(3 * c), u = answer.u.segment<3>(3 * c);
+    rows.push_back(
+        {std::to_string(c + 1), number(r[0], zero), number(r.tail<2>().norm(), zero),
+         number(u.tail<2>().norm(), still),
+         force_mode_texts[static_cast<std::size_t>(answer.modes[static_cast<std::size_t>(c)])]});
+  }
+  text += table_text(rows);
+  if (shown < k) text += ".. and " + std::to_string(k - shown) + " more: -v shows all\n";
+  std::vector<std::string> parts;
+  for (Index law = 0; law < contact_law_count - (has_equalities(problem) ? 0 : 1); ++law)
+    parts.push_back(laws[law].name + (" " + part_text(law, answer.worst[law].size)));
+  text += "\nResiduals: " + joined(parts, ", ");
+  if (answer.facets > 0)
+    text += "; of the pyramids' complementarity problem " + residual_text(answer.lcp);
+  return text + ".\n";
+}
+
+std::string contacts_json(const ContactProblem& problem, const ContactForces& answer) {
+  JsonWriter json;
+  json.begin_object().member("status", problem.r        ? answer.is_good ? "valid" : "refused"
+                                       : answer.is_good ? "solved"
+                                                        : "stagnated");
+  json.key("friction").begin_object().member("law", answer.facets > 0 ? "pyramids" : "round");
+  json.member("facets", when(answer.facets > 0, answer.facets)).end_object();
+  json.member("normal", problem.normal_last ? "last" : "first");
+  json.member("r", as_given(problem, answer.r)).member("u", as_given(problem, answer.u));
+  if (has_equalities(problem)) json.member("l", answer.l);
+  std::vector<std::string> modes;
+  for (const ForceMode mode : answer.modes)
+    modes.emplace_back(force_mode_texts[static_cast<std::size_t>(mode)]);
+  json.member("modes", modes).member("tolerance", answer.tolerance);
+  json.key("residuals").begin_object();
+  for (Index law = 0; law < contact_law_count; ++law)
+    json.member(laws[law].key, answer.worst[law].size);
+  json.member("lcp", when(answer.facets > 0, answer.lcp)).end_object();
+  json.key("worst").begin_object(); // from 1
+  for (Index law = 0; law < contact_law_count; ++law)
+    json.member(laws[law].key, when(answer.worst[law].contact >= 0, answer.worst[law].contact + 1));
+  return json.end_object().end_object().text();
+}
+
+} // namespace lcpush::desktop

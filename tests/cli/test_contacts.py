@@ -1,0 +1,155 @@
+"""lcpush contacts: the field's own contact problem, judged here by code of the test's own."""
+import json
+import math
+import random
+
+from tool import SOURCE, ToolTest, json_of, main, run, unwrapped
+
+INCLINE = SOURCE / "docs/check/incline.json"
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def frame(n):
+    t = cross(n, [1, 0, 0] if abs(n[0]) < 0.9 else [0, 1, 0])
+    t = [x / math.hypot(*t) for x in t]
+    return [n, t, cross(n, t)]
+
+
+def of_bodies(links, masses, pull):
+    """W, b, mu of balls: a link is two bodies (-1: the ground), a unit normal and a friction; b is what
+    the accelerations `pull` do."""
+    columns = []
+    for i, j, n, _ in links:
+        for d in frame(n):
+            columns.append({body: [sign * x for x in d] + [x * 0.5 for x in cross([-y for y in n], d)]
+                            for body, sign in ((i, 1), (j, -1)) if body >= 0})
+    inertia = [1, 1, 1, 10, 10, 10]
+    W = [[sum(dot([x * k for x, k in zip(p[body], inertia)], q[body]) / masses[body]
+              for body in p.keys() & q.keys()) for q in columns] for p in columns]
+    b = [sum(dot(p[body], pull[body]) for body in p) for p in columns]
+    return {"W": W, "b": b, "mu": [link[3] for link in links]}
+
+
+def pile(base, ratio, rng):
+    """Balls on each other in a plane, pushed about."""
+    places = [(i + level / 2, 0, level * math.sqrt(0.75)) for level in range(base)
+              for i in range(base - level)]
+    links = [(k, -1, [0, 0, 1], rng.uniform(0.05, 1)) for k, p in enumerate(places) if p[2] == 0]
+    links += [(i, j, [x - y for x, y in zip(p, q)], rng.uniform(0.05, 1))
+              for i, p in enumerate(places) for j, q in enumerate(places[:i]) if abs(math.dist(p, q) - 1) < 1e-9]
+    masses = [10 ** rng.uniform(0, math.log10(ratio)) for _ in places]
+    push = rng.choice([0, 1, 5])
+    return of_bodies(links, masses, [[rng.gauss(0, push), rng.gauss(0, push), -9.81, 0, 0, 0] for _ in places])
+
+
+def left(problem, r):
+    """The worst of Signorini's law and of the cone, scaled; the largest angle off the slip."""
+    worst, angle = 0, 0
+    largest = max(map(abs, r)) or 1
+    for c, mu in enumerate(problem["mu"]):
+        rows = range(3 * c, 3 * c + 3)
+        u = [dot(problem["W"][i], r) + problem["b"][i] for i in rows]
+        size = [sum(abs(x * y) for x, y in zip(problem["W"][i], r)) + abs(problem["b"][i]) for i in rows]
+        n, *t = r[3 * c:3 * c + 3]
+        worst = max(worst, -n / largest, -u[0] / (size[0] or 1), min(abs(n) / largest, abs(u[0]) / (size[0] or 1)),
+                    (math.hypot(*t) - mu * n) / largest)
+        if math.hypot(*u[1:]) > 1e-7 * max(size) and n > 1e-7 * largest and mu > 0:
+            angle = max(angle, abs(math.atan2(t[0] * u[2] - t[1] * u[1], -dot(t, u[1:]))))
+    return worst, angle
+
+
+class Contacts(ToolTest):
+    def written(self, problem, name="problem.json"):
+        return self.file(name, json.dumps(problem))
+
+    def test_problems_with_mass_ratios_up_to_a_million_are_solved_to_rounding(self):
+        rng = random.Random(1)
+        problems = [pile(base, ratio, rng) for base in (2, 3, 4, 5) for ratio in (1, 1e3, 1e6) for _ in range(3)]
+        for _ in range(20):  # a heap in disorder, whose normals all have a way out
+            bodies = rng.randint(1, 8)
+            links = []
+            for _ in range(rng.randint(1, 14)):
+                n = [rng.gauss(0, 1), rng.gauss(0, 1), abs(rng.gauss(0, 1))]
+                i = rng.randrange(bodies)
+                links.append((i, rng.randrange(-1, i), [x / math.hypot(*n) for x in n], rng.choice([0, 0.3, 1])))
+            problems.append(of_bodies(links, [10 ** rng.uniform(0, 6) for _ in range(bodies)],
+                                      [[rng.gauss(0, 5) for _ in range(6)] for _ in range(bodies)]))
+        for k, problem in enumerate(problems):
+            answer = json_of("contacts", self.written(problem))
+            self.assertEqual(answer["status"], "solved", k)
+            worst, angle = left(problem, answer["r"])
+            self.assertLessEqual(worst, 1e-12, k)
+            self.assertLessEqual(angle, 1e-6, k)
+
+    def test_a_thousand_changed_forces_are_refused(self):
+        rng = random.Random(2)
+        problem = {"W": [[2, 0, 0.5], [0, 2, 0], [0.5, 0, 1]], "b": [-4, 1, 3], "mu": [0.5]}
+        python = [json_of("contacts", self.written(problem))["r"]]
+        files = [self.written({**problem, "r": [x + (k == i) * rng.choice([-1, 1]) * 10 ** rng.uniform(-4, 1)
+                                                for k, x in enumerate(python[0])]}, f"{j}.json")
+                 for j, i in enumerate(rng.choices(range(3), k=1000))]
+        self.assertEqual(run("contacts", self.written({**problem, "r": python[0]})).returncode, 0)
+        self.assertEqual({run("contacts", path, "--json").returncode for path in files}, {1})
+
+    def test_closed_forms(self):
+        weight = 2 * 9.81
+        answer = json_of("contacts", INCLINE)
+        self.assertEqual(answer["modes"], ["stick", "slip"])
+        normal = weight * math.cos(math.pi / 6)
+        for found, right in zip(answer["r"], [normal, -weight / 2, 0, normal, -0.4 * normal, 0]):
+            self.assertAlmostEqual(found, right, 9)
+        half = math.sqrt(0.5)  # a ball of 2 kg in a frictionless groove of 90 degrees
+        wedge = of_bodies([(0, -1, [half, 0, half], 0), (0, -1, [-half, 0, half], 0)], [2],
+                          [[0, 0, -9.81, 0, 0, 0]])
+        found = json_of("contacts", self.written(wedge))["r"]
+        for force in (found[0], found[3]):
+            self.assertAlmostEqual(force, weight * half, 9)
+        pyramids = json_of("contacts", INCLINE, "--facets", 4)
+        self.assertEqual((pyramids["status"], pyramids["friction"]), ("solved", {"law": "pyramids", "facets": 4}))
+        self.assertAlmostEqual(pyramids["r"][4], -0.4 * normal, 9)
+
+    def test_masses_and_tangents_first_say_the_same(self):
+        problem = {"M": [[2, 0, 0], [0, 2, 0], [0, 0, 2]], "H": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                   "f": [-17, 9.81, 0], "w": [0, 0, 0.5], "mu": [0.4]}
+        first = json_of("contacts", self.written(problem))["r"]
+        self.assertAlmostEqual(math.hypot(*first[1:]), 0.4 * 17, 9)
+        last = {"W": [[0.5, 0, 0], [0, 0.5, 0], [0, 0, 0.5]], "b": [4.905, 0.5, -8.5], "mu": [0.4], "normal": "last"}
+        for found, right in zip(json_of("contacts", self.written(last))["r"], first[1:] + first[:1]):
+            self.assertAlmostEqual(found, right, 9)
+
+    def test_exported_pushes_have_the_same_forces(self):
+        for name in ("coin", "squeeze", "dropped", "tipping", "lever"):
+            scene = SOURCE / f"fixtures/scenes/{name}.toml"
+            run("export", scene, "-o", self.path / name)
+            answer = json_of("contacts", self.path / name / "fclib")
+            self.assertEqual(answer["status"], "solved", name)
+            for k, contact in enumerate(json_of("solve", scene, "--pressure", "even")["contacts"]):
+                self.assertAlmostEqual(answer["r"][3 * k], contact["normal_force"], 6, (name, k))
+            self.file("r.json", json.dumps({"r": answer["r"]}))
+            judged = run("contacts", self.path / name / "fclib", "--forces", self.path / "r.json")
+            self.assertEqual(judged.returncode, 0, judged)
+
+    def test_bad_input_is_refused_by_name(self):
+        good = {"W": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "b": [-1, 0, 0], "mu": [0.5]}
+        for change, message in [({"mu": [-1]}, '"mu" of contact 1 is -1; friction is >= 0'),
+                                ({"b": [1, 2]}, '"b" is 2 x 1'), ({"mu": None}, '"mu" is missing'),
+                                ({"W": [[1, 2, 0], [2, 1, 0], [0, 0, 1]]}, "not positive semidefinite"),
+                                ({"W": [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]}, "not symmetric"),
+                                ({"b": [1, "x", 2]}, '"b" must hold numbers, got a string'),
+                                ({"mu": [0.5] * 1001}, "at most 3000"), ({"normal": "up"}, '"first" or "last"')]:
+            result = run("contacts", self.written({**good, **change}))
+            self.assertEqual((result.returncode, result.stdout), (2, ""), message)
+            self.assertIn(message, unwrapped(result.stderr))
+            self.assertIn("problem.json", unwrapped(result.stderr))
+        jam = {**good, "W": [[0] * 3] * 3}  # nothing moves: no force opens it
+        self.assertEqual(json_of("contacts", self.written(jam))["status"], "stagnated")
+
+
+main()
