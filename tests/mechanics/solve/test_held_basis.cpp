@@ -1,6 +1,8 @@
 // A basis looked at without a pivot: what holds is an answer, and where pivots end, it holds.
 #include <doctest/doctest.h>
 
+#include <optional>
+
 #include "lcpush/lcp/pivots/held_basis.hpp"
 #include "support/grasp_families.hpp"
 #include "support/seeds.hpp"
@@ -17,7 +19,7 @@ template <class S> struct Looked : SolvedPush<S> {
   Problem<S> problem;
   std::vector<S> scalars;
   std::vector<int> integers;
-  HeldBasis<S> held{{nullptr, 0}, {nullptr, 0}};
+  std::optional<HeldBasis<S>> held;
 
   explicit Looked(const OwnedScene<S>& given) : SolvedPush<S>(given) {
     if (this->solve() != Status::solved) return;
@@ -28,16 +30,16 @@ template <class S> struct Looked : SolvedPush<S> {
     scalars.resize(static_cast<std::size_t>(
         held_basis_scalars(n, cones, shared_actuators(*problem.factored))));
     integers.resize(static_cast<std::size_t>(held_basis_integers(n, cones)));
-    held = HeldBasis<S>({scalars.data(), static_cast<Index>(scalars.size())},
-                        {integers.data(), static_cast<Index>(integers.size())});
+    held.emplace(Span<S>{scalars.data(), static_cast<Index>(scalars.size())},
+                 Span<int>{integers.data(), static_cast<Index>(integers.size())});
   }
-  Status look() { return held.look(problem, basis.data()); }
+  Status look() { return held->look(problem, basis.data()); }
   bool passes_referee() const {
     const std::vector<S> unit(basis.size(), S(1));
     std::vector<S> w(basis.size()), scratch(2 * basis.size());
     const WorstRow<S> worst = natural_residual(
-        problem, problem.q, held.z(), unit.data(), [&](Index i) { return i >= problem.free_begin; },
-        w.data(), scratch.data());
+        problem, problem.q, held->z(), unit.data(),
+        [&](Index i) { return i >= problem.free_begin; }, w.data(), scratch.data());
     return worst.residual <= Tolerances<S>().residual;
   }
 };
@@ -64,7 +66,7 @@ TEST_CASE("the basis in which pivots end holds; whatever holds passes the refere
           ++held;
           CHECK(push.passes_referee());
           for (Index i = 0; i < push.problem.size; ++i)
-            CHECK(push.held.z()[i] ==
+            CHECK(push.held->z()[i] ==
                   doctest::Approx(push.memory.work.pressure.z[i]).epsilon(1e-8));
         }
         for (unsigned char& is_basic : push.basis) {
@@ -99,12 +101,12 @@ TEST_CASE("the limit of a vanishing push in its basis is the one that pivots end
       continue;
     for (Index i = 0; i < problem.size; ++i)
       push.basis[static_cast<std::size_t>(i)] = push.lemke.is_basic(i) ? 1 : 0;
-    if (push.held.look(problem, push.basis.data()) != Status::solved) continue;
+    if (push.held->look(problem, push.basis.data()) != Status::solved) continue;
     ++held;
-    CHECK(push.held.valid_to() == doctest::Approx(push.lemke.valid_to()).epsilon(1e-6));
+    CHECK(push.held->valid_to() == doctest::Approx(push.lemke.valid_to()).epsilon(1e-6));
     for (Index i = 0; i < problem.size; ++i) {
-      CHECK(push.held.z()[i] == doctest::Approx(push.lemke.z()[i]).epsilon(1e-8));
-      CHECK(push.held.z_push()[i] == doctest::Approx(push.lemke.z_push()[i]).epsilon(1e-8));
+      CHECK(push.held->z()[i] == doctest::Approx(push.lemke.z()[i]).epsilon(1e-8));
+      CHECK(push.held->z_push()[i] == doctest::Approx(push.lemke.z_push()[i]).epsilon(1e-8));
     }
   }
   CHECK(held >= 15);
@@ -115,7 +117,7 @@ TEST_CASE("only a factored problem is looked at, in enough memory") {
   REQUIRE(push.look() == Status::solved);
   Problem<double> other = push.problem;
   other.factored = nullptr;
-  CHECK(push.held.look(other, push.basis.data()) == Status::bad_input);
+  CHECK(push.held->look(other, push.basis.data()) == Status::bad_input);
   HeldBasis<double> narrow({push.scalars.data(), static_cast<Index>(push.scalars.size()) - 1},
                            {push.integers.data(), static_cast<Index>(push.integers.size())});
   CHECK(narrow.look(push.problem, push.basis.data()) == Status::bad_input);
