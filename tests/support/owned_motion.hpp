@@ -16,7 +16,7 @@ template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
   Scene<S> scene{};
   Surroundings<S> around{};
   std::vector<unsigned char> bytes;
-  std::vector<TimeStepper<S, Pivots>> motion; ///< one, once begun
+  std::optional<TimeStepper<S, Pivots>> motion; ///< once begun
 
   explicit OwnedMotion(const OwnedScene<S>& its_scene) : owned(its_scene) {}
   OwnedMotion(const OwnedMotion&) = delete;
@@ -41,19 +41,19 @@ template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
               {faces.data(), static_cast<Index>(faces.size())},
               {sides.data(), static_cast<Index>(sides.size())}};
     const MotionSize size = motion_size(scene);
-    motion.clear();
+    motion.reset();
     if constexpr (std::is_same_v<Pivots, StructuredLemke<S>>) {
       const Index shared = scene.actuators.size;
       bytes.resize(static_cast<std::size_t>(structured_motion_bytes<S>(size, shared)));
-      motion.emplace_back(scene, around, make_structured_motion_memory<S>(block(), size, shared));
+      motion.emplace(scene, around, make_structured_motion_memory<S>(block(), size, shared));
     } else {
       bytes.resize(static_cast<std::size_t>(motion_bytes<S>(size)));
-      motion.emplace_back(scene, around, make_motion_memory<S>(block(), size));
+      motion.emplace(scene, around, make_motion_memory<S>(block(), size));
     }
-    return motion[0].start();
+    return motion->start();
   }
-  TimeStepper<S, Pivots>& operator*() { return motion[0]; }
-  TimeStepper<S, Pivots>* operator->() { return &motion[0]; }
+  TimeStepper<S, Pivots>& operator*() { return *motion; }
+  TimeStepper<S, Pivots>* operator->() { return &*motion; }
 
 private:
   Arena block() { return {bytes.data(), static_cast<Index>(bytes.size())}; }
