@@ -1,6 +1,8 @@
 // Motions on the heap: closed forms and random runs.
 #pragma once
 
+#include <optional>
+
 #include "lcpush/mechanics/solve/step.hpp"
 #include "support/scenes.hpp"
 
