@@ -22,12 +22,13 @@ constexpr const char* known_keys[] = {"W", "G", "M",  "H", "b", "g", "q",
                                       "f", "w", "mu", "V", "R", "s", "r"};
 
 Sparse sparse_of(const SparseRows& rows) {
-  Triplets entries;
-  for (Index i = 0; i < rows.rows(); ++i)
-    for (const SparseEntry& entry : rows.row(i))
-      entries.emplace_back(static_cast<int>(i), entry.column, entry.value);
   Sparse matrix(rows.rows(), rows.cols);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix.reserve(static_cast<Index>(rows.entries.size()));
+  for (Index i = 0; i < rows.rows(); ++i) {
+    matrix.startVec(i);
+    for (const SparseEntry& entry : rows.row(i)) matrix.insertBack(i, entry.column) = entry.value;
+  }
+  matrix.finalize();
   return matrix;
 }
 

@@ -41,12 +41,16 @@ std::string part_text(Index law, double size) {
 std::string verdict(const ContactProblem& problem, const ContactForces& answer) {
   std::array<Index, 3> count{};
   for (const ForceMode mode : answer.modes) ++count[static_cast<std::size_t>(mode)];
-  const auto so_many = [&](std::size_t mode, const char* one, const char* more) {
-    return std::to_string(count[mode]) + " " + (count[mode] == 1 ? one : more);
+  std::vector<std::string> modes;
+  const auto tell = [&](std::size_t mode, const char* one, const char* more) {
+    if (count[mode] > 0)
+      modes.push_back(std::to_string(count[mode]) + " " + (count[mode] == 1 ? one : more));
   };
-  const std::string of = "of " + counted(problem.contacts(), "contact") + " " +
-                         so_many(1, "sticks", "stick") + ", " + so_many(2, "slips", "slip") +
-                         " and " + so_many(0, "is open", "are open") + ".\n";
+  tell(1, "sticks", "stick");
+  tell(2, "slips", "slip");
+  tell(0, "is open", "are open");
+  const std::string of =
+      "of " + counted(problem.contacts(), "contact") + " " + listed(modes, "and") + ".\n";
   if (answer.is_good) return (problem.r ? "The forces are right: " : "Solved: ") + of;
   std::string text =
       problem.r ? "The forces are refused.\n" : "Not solved: these forces break laws.\n";

@@ -33,11 +33,12 @@ private:
   Sparse W_;        // scaled, V (delta - R)^-1 V' added
   std::vector<Matrix3d> W_cc_;
   Eigen::MatrixXd V_;
-  VectorXd b_, s_, R_, mu_;  // scaled
-  VectorXd x_, l_;           // where we are
-  VectorXd center_;          // of the proximal step, with its multipliers
-  VectorXd q_;               // b and what the centre adds: velocities are W x + eps x + q
-  double eps_ = 0, tau_ = 0; // weight of the proximal term; smoothing
+  VectorXd b_, s_, R_, mu_; // scaled
+  VectorXd x_, l_;          // where we are
+  VectorXd center_;         // of the proximal step, with its multipliers
+  VectorXd q_;              // b and what the centre adds: velocities are W x + eps x + q
+  // Weight of the proximal term; smoothing; that of friction, times tau.
+  double eps_ = 0, tau_ = 0, smoother_ = 1;
   ContactForces best_;
 
   void scale();
@@ -127,7 +128,7 @@ void ContactSolver::recenter(double eps) {
 Vector3d ContactSolver::projected(Index c, const Vector3d& y, Matrix3d* derivative) const {
   const double root = std::hypot(y[0], 2 * tau_), t = y.tail<2>().norm();
   const double n = root > 0 ? (y[0] > 0 ? (y[0] + root) / 2 : 2 * tau_ * tau_ / (root - y[0])) : 0;
-  const double most = mu_[c] * n, gap = std::hypot(most - t, 2 * tau_);
+  const double most = mu_[c] * n, gap = std::hypot(most - t, 2 * smoother_ * tau_);
   const double larger = (most + t + gap) / 2; // max(most, t), smoothed
   const double share = larger > 0 ? most / larger : 1;
   if (derivative != nullptr) {
@@ -326,7 +327,9 @@ ContactForces ContactSolver::solve() {
     left = note();
   }
   if (left > Settings::aimed_at) polish();
-  if (!best_.is_good) {
+  for (const double smoother : Settings::smoothers) {
+    if (best_.is_good) break;
+    smoother_ = smoother;
     follow_path();
     polish();
   }

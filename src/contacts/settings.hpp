@@ -21,10 +21,12 @@ struct ContactSettings {
   static constexpr double singular = 1e-10; ///< of a 3 x 3 block
   // Newton's method: a proximal term keeps forces that move nothing; tau smooths the laws.
   static constexpr double eps = 1e-8, falls = 0.1, last_tau = 1e-12;
+  /// Of friction, times tau: a path that turns back with one leads to an answer with another.
+  static constexpr double smoothers[] = {1, 10, 100};
   static constexpr double near_path = 0.1; ///< of tau: the residual that is near enough
   /// Steps along the path, and those that may fail: piles of 225 contacts with masses from 1 to 1e6
   /// took 40 and 12.
-  static constexpr int outer = 80, failures = 20, newton_steps = 25, halvings = 8, patience = 6;
+  static constexpr int outer = 80, failures = 12, newton_steps = 25, halvings = 8, patience = 6;
   static constexpr double decrease = 1e-4;   ///< of the residual, times the step
   static constexpr double settled = 1e-14;   ///< of the largest force
   static constexpr double equality = 1e-2;   ///< delta of the multipliers, whose columns are near 1
