@@ -8,11 +8,11 @@
  *     static double memory[LCPUSH_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
  *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
  *     lcpush_describe(push, &scene);
- *     for (;;) {                                                            a control loop
- *       if (lcpush_status_of(push) != LCPUSH_RUNNING) lcpush_command(push, forces, motions);
- *       lcpush_step(push, 20);                                              pivots a tick
- *       if (lcpush_age(push) >= 0) lcpush_contact_at(push, 0, &contact);    the last answer
- *     }
+ *     lcpush_step(push, 20);                              in a control loop: pivots a tick; the
+ *     if (lcpush_age(push) >= 0)                          answers are those of the last solve that
+ *       lcpush_contact_at(push, 0, &contact);             ended, so many ticks ago
+ *     if (lcpush_status_of(push) != LCPUSH_RUNNING)
+ *       lcpush_command(push, forces, motions);            new grip forces and accelerations
  *
  * SI units; positions from the object's centre of mass; scene axes, fixed to the hand. A twist is
  * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and

@@ -7,8 +7,8 @@
  *
  * Questions are the tool's commands: scene, tables, solve, break, sweep, spread, verify,
  * verify_motion, move, report, hold, cone, plan, design, certify, pivots, export, matrices,
- * problem, lcp and verify_lcp; docs/embed/desktop.md has their keys. An answer's text is what the
- * tool prints with --json, byte for byte, or in another "format".
+ * problem, lcp, verify_lcp and contacts; docs/embed/desktop.md has their keys. An answer's text is
+ * what the tool prints with --json, byte for byte, or in another "format".
  *
  * All functions may be called from several threads at once, each with answers of its own. No
  * exception leaves them. This is not the interface for microcontrollers: that is lcpush.h. */

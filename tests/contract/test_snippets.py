@@ -27,9 +27,10 @@ void page(const desktop::SceneFile& file, desktop::Push& push, const desktop::Pu
 """
 IN_C = """
 #include <lcpush/lcpush.h>
-static void other_work(void) {}
-int page(lcpush_size size, lcpush_scene scene, lcpush_contact contact);
-int page(lcpush_size size, lcpush_scene scene, lcpush_contact contact) {
+int page(lcpush_size size, lcpush_scene scene, lcpush_contact contact, const double* forces,
+         const double* motions);
+int page(lcpush_size size, lcpush_scene scene, lcpush_contact contact, const double* forces,
+         const double* motions) {
 %s
   return contact.mode == LCPUSH_STICK;
 }
@@ -54,7 +55,7 @@ def header_programs(root):
     """lcpush.h says in its first comment how it is used."""
     comment = (root / "include/lcpush/lcpush.h").read_text(encoding="utf-8").split("*/")[0]
     lines = [line[2:].strip() for line in comment.splitlines() if line.startswith(" *     ")]
-    statements = [line.split(";")[0] + ";" for line in lines if ";" in line]
+    statements = [re.split(r"(?<=[;)]) {4,}", line)[0] for line in lines]
     yield "include/lcpush/lcpush.h", ".c", IN_C % "\n".join(statements)
 
 
