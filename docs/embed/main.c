@@ -23,11 +23,14 @@ static const lcpushf_scene scene = {
     .bodies = bodies, .body_count = 3, .points = points, .point_count = 3,
     .actuators = actuators, .actuator_count = 2, .drives = drives, .drive_count = 2};
 
-enum { BUDGET = 2, OLDEST = 3, TICKS = 8 }; /* pivots a tick; ticks; */
+static const int budget = 2; /* pivots a tick */
+static const int oldest = 3; /* ticks that an answer may be old */
+static const int ticks = 8;
 
 /* What the controller wants in a tick: a firmer grip, then the pusher back. Yours reads sensors. */
 static void wanted(int tick, float forces[2], float accelerations[18]) {
-  forces[0] = forces[1] = (tick < 3) ? 20.0f : 25.0f;
+  forces[0] = (tick < 3) ? 20.0f : 25.0f;
+  forces[1] = forces[0];
   accelerations[12] = (tick < 5) ? 0.1f : -0.1f;
 }
 
@@ -37,22 +40,21 @@ volatile float newtons; /* what the controller hands on */
 int main(void) {
   lcpushf_push* push = lcpushf_make(memory, sizeof memory, &size);
   lcpush_status status = LCPUSH_BAD_INPUT; /* no push: LCPUSH_BYTES is for fewer contacts than size */
-  float forces[2] = {0}, accelerations[18] = {0}, wrench[6];
-  int tick;
+  float forces[2] = {0};
+  float accelerations[18] = {0};
+  float wrench[6];
+  int tick = 0;
   if (push != NULL) {
     status = lcpushf_describe(push, &scene); /* lcpushf_why says what is wrong */
   }
-  if (status != LCPUSH_RUNNING) {
-    return 1;
-  }
-  for (tick = 0; tick < TICKS; ++tick) {
+  while ((status != LCPUSH_BAD_INPUT) && (tick < ticks)) {
     wanted(tick, forces, accelerations);
-    if (status != LCPUSH_RUNNING || tick == 0) { /* a solve that is under way ends first */
+    if ((status != LCPUSH_RUNNING) || (tick == 0)) { /* a solve that is under way ends first */
       (void)lcpushf_command(push, forces, accelerations); /* refused: the command before stands */
     }
-    status = lcpushf_step(push, BUDGET);
-    if ((lcpushf_age(push) < 0) || (lcpushf_age(push) > OLDEST)) {
-      newtons = 0; /* nothing to go by: stop the push, in your robot's way */
+    status = lcpushf_step(push, budget);
+    if ((lcpushf_age(push) < 0) || (lcpushf_age(push) > oldest)) {
+      newtons = 0.0f; /* nothing to go by: stop the push, in your robot's way */
     } else { /* this tick's answer, or the last one */
       lcpushf_wrench_of(push, 2, wrench);
       newtons = wrench[0];
@@ -61,6 +63,7 @@ int main(void) {
     (void)printf("tick %d: %s, %.2f N, %d old\n", tick, lcpush_status_text(status), (double)newtons,
                  lcpushf_age(push));
 #endif
+    ++tick;
   }
   return (status == LCPUSH_SOLVED) ? 0 : 1;
 }

@@ -66,7 +66,7 @@ def clang_tidy(root, args, place, quick=None):
 # For each tool: a file, what is changed there, and what has to be found.
 PLANTED = {
     cppcheck: [
-        (EXAMPLE, "TICKS = 8 }", "TICKS = 010 }", "misra-c2012-7.1"),
+        (EXAMPLE, "ticks = 8;", "ticks = 010;", "misra-c2012-7.1"),
         ("include/lcpush/lcp/loops.hpp", "#pragma once",
          "#pragma once\ninline int planted(int k) { int a[2] = {0, 1}; return k == 0 ? a[2] : 0; }",
          "arrayIndexOutOfBounds")],
