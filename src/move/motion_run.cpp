@@ -134,12 +134,6 @@ bool MotionRun::extrapolate(const State& whole, double slack) {
   return true;
 }
 
-void MotionRun::keep_to_strokes() {
-  for (Index b = 0; b < scene_.bodies.size; ++b)
-    if (speeds_up(b) && !is_driven(scene_, b))
-      put(b, moved_about_origin(Pose<double>(), faces_.path(b, stepper_.time()), 1.0));
-}
-
 MotionRun::Saved MotionRun::save() const {
   return {{bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(kept_)}, stepper_.moment()};
 }

@@ -23,6 +23,14 @@ public:
   MotionRun(const MotionRun&) = delete; // the views inside would point into the other one
   MotionRun& operator=(const MotionRun&) = delete;
 
+  /// Of the steps to come; what presses goes on to end on its faces.
+  void set_order(Order order) { order_ = order; }
+  bool speeds_up() const {
+    for (Index b = 0; b < scene_.bodies.size; ++b)
+      if (speeds_up(b)) return true;
+    return false;
+  }
+
   [[nodiscard]] Status start() { return stepper_.start(); }
 
   /// To be called where strokes may begin: their bodies touch what they meet there.
@@ -53,9 +61,6 @@ public:
   /// its face by more than `slack`.
   [[nodiscard]] bool extrapolate(const State& whole, double slack);
   void return_to(const State& state);
-  /// Bodies that speed up are put where their strokes lead: at the speed of a step's end, which is
-  /// not extrapolated, they have gone too far.
-  void keep_to_strokes();
 
   /// The object is there, then, at this speed; the bodies stay where they are.
   void begin_at(double time, const Pose<double>& pose, const Vector6<double>& twist) {

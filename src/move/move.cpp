@@ -169,25 +169,38 @@ private:
     const MotionRun::State whole = run_.state();
     const std::vector<Touch> touches = run_.touches();
     run_.restore(before);
-    if (status == Status::solved) status = solve(h / 2);
-    if (status == Status::solved) {
-      pair.half = taken(h / 2);
-      status = solve(h / 2);
-    }
+    if (status == Status::solved) status = solve_halves(h, pair);
+    if (status != Status::solved) return status;
+    pair.error = distance(whole.moment.pose, run_.stepper().pose());
+    const bool is_smooth = !pair.has_event && run_.touches() == touches;
+    if ((is_smooth && extrapolates(h, before.moment, whole, pair)) || !run_.speeds_up())
+      return status;
+    // At the speed of the steps' ends, a body that speeds up has gone too far.
+    run_.restore(before);
+    run_.set_order(MotionRun::Order::first);
+    status = solve_halves(h, pair);
+    run_.set_order(MotionRun::Order::second);
+    return status;
+  }
+
+  Status solve_halves(double h, Pair& pair) {
+    Status status = solve(h / 2);
+    if (status != Status::solved) return status;
+    pair.half = taken(h / 2);
+    status = solve(h / 2);
     if (status != Status::solved) return status;
     pair.end = taken(h / 2);
     // What leaves its face at the end of a step is seen there, before the next one begins.
     pair.has_event = changes(last_, pair.half.frame) || changes(pair.half.frame, pair.end.frame) ||
                      run_.leaves();
-    pair.error = distance(whole.moment.pose, run_.stepper().pose());
-    const bool is_smooth = !pair.has_event && run_.touches() == touches;
-    if (!is_smooth || !extrapolates(h, before.moment, whole, pair)) run_.keep_to_strokes();
     return status;
   }
 
   bool extrapolates(double h, const MotionRun::Stepper::Moment& before,
                     const MotionRun::State& whole, Pair& pair) {
-    if (!run_.extrapolate(whole, Settings::exact * size_)) return false;
+    const double way = distance(before.pose, run_.stepper().pose());
+    const double slack = std::max(Settings::exact * size_, Settings::unfelt * way);
+    if (!run_.extrapolate(whole, slack)) return false;
     // Of third order in h, but where velocities have changed at once.
     const Vector6<double> mean = (before.velocity + run_.stepper().velocity()) / 2;
     const Pose<double> other = moved(before.pose, mean, h);

@@ -21,6 +21,9 @@ struct MoveSettings {
   /// Of the tolerance, for a step in which velocities change at once: its error is a part of its
   /// length however short it is, and below 2e-6 s of 0.1 the jump's forces of 2 kN leave noise.
   static constexpr double share_of_start = 1.0 / 64;
+  /// Of a step's way, what an extrapolated end may be off its faces: the next step makes that up,
+  /// at this part of its speed.
+  static constexpr double unfelt = 1e-4;
   static constexpr double same_time = 1e-12;  ///< rounding of a sum of steps
   static constexpr double whole_steps = 1e-6; ///< of a step, as which nothing is left over
   static constexpr Index most_located =

@@ -121,38 +121,6 @@ Status FollowedMotion::advance(double h, bool& is_halved, int halvings) {
   return half == Status::solved ? advance(h / 2, is_halved, halvings - 1) : half;
 }
 
-Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k) {
-  if (given[k].twist) return *given[k].twist;
-  const TrajectoryFrame& from = given[k == 0 ? 0 : k - 1];
-  const TrajectoryFrame& to = given[k == 0 ? 1 : k];
-  return mean_twist(from.pose, to.pose, to.time - from.time);
-}
-
-std::vector<Vector3<double>> telling_points(const SceneFile& file) {
-  std::vector<Vector3<double>> points(file.points.begin(), file.points.end());
-  Vector3<double> along = Vector3<double>::Zero();
-  for (const Vector3<double>& p : points)
-    if ((p - points[0]).norm() > along.norm()) along = p - points[0];
-  const double size = object_size(file);
-  const auto is_beside = [&](const Vector3<double>& p) {
-    const Vector3<double> way = p - points[0], line = along.normalized();
-    return (way - way.dot(line) * line).norm() > VerifySettings::digits * size;
-  };
-  if (!std::any_of(points.begin(), points.end(), is_beside))
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double side : {-size / 2, size / 2})
-        points.emplace_back(side * Vector3<double>::Unit(axis));
-  return points;
-}
-
-double fastest_point(const SceneFile& file, const Pose<double>& object,
-                     const Vector6<double>& twist) {
-  double most = 0;
-  for (const Vector3<double>& p : telling_points(file))
-    most = std::max(most, acceleration_at<double>(object.rotation * p, twist).norm());
-  return most;
-}
-
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
                            double allowed, double fastest) {
   return ChangeJudge(file, given, allowed).judge(Settings::changes * allowed, fastest);

@@ -25,17 +25,6 @@ private:
   MotionRun run_;
 };
 
-/// At frame k, as given; or as of every implicit scheme the mean since the frame before.
-Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k);
-
-/// Places on the object that show every motion of it, about its centre of mass: the contact points,
-/// and where these lie on one line, others beside it.
-std::vector<Vector3<double>> telling_points(const SceneFile& file);
-
-/// m/s: of the telling point that this twist moves fastest.
-double fastest_point(const SceneFile& file, const Pose<double>& object,
-                     const Vector6<double>& twist);
-
 /// `allowed`, `fastest`: m/s. Cost: a step a frame; where they miss, up to 31.
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
                            double allowed, double fastest);

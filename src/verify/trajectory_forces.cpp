@@ -1,6 +1,6 @@
 #include "verify/trajectory_forces.hpp"
-#include "verify/followed_motion.hpp"
 #include "verify/settings.hpp"
+#include "verify/trajectory_steps.hpp"
 
 #include <algorithm>
 #include <array>

@@ -79,7 +79,7 @@ if "--write" in sys.argv:
 
 # Links inside the project lead somewhere, in the README and in docs/.
 for page in [source / "README.md", *sorted((source / "docs").rglob("*.md"))]:
-    text = page.read_text()
+    text = re.sub(r"```.*?```", "", page.read_text(), flags=re.S)
     for target in re.findall(r"\]\(([^)#\s]+)", text) + re.findall(r'(?:src|href)="([^"#]+)"', text):
         if "://" not in target and not target.startswith("live/") and not (page.parent / target).exists():
             sys.exit(f"{page.relative_to(source)}: link to {target}, which does not exist")
