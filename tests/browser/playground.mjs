@@ -46,7 +46,9 @@ print(json.dumps([random_scene(seed) for seed in range(${count})]))`], { encodin
           return '';
         }
       }, [question, readFileSync(fixture(name), 'utf8')]);
-      assert.equal(answer, native(command, fixture(name)), `${command} ${name}`);
+      // Angles of turns come from the machine's arcus functions: their last digit may differ.
+      const rounded = (text) => text.replace(/-?\d\.\d{15,}/g, (digits) => Number(digits).toPrecision(14));
+      assert.equal(rounded(answer), rounded(native(command, fixture(name))), `${command} ${name}`);
     }
   await end();
 }
