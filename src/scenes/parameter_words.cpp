@@ -6,13 +6,11 @@ namespace lcpush::desktop {
 namespace {
 
 /// " along y", " about z", " no. 2": which number of a list; counted from 1 where it is no axis.
-std::string index_words(const Parameter& parameter, const std::string& key,
-                        const std::string& indices) {
+std::string index_words(const Parameter& parameter, const std::string& key) {
   std::string text;
-  for (std::size_t at = 0; at < indices.size(); at = indices.find(']', at) + 1) {
-    const std::size_t end = indices.find(']', at);
-    const int k = std::stoi(indices.substr(at + 1, end - at - 1));
-    const bool is_last = end + 1 == indices.size();
+  const std::vector<std::size_t>& indices = parameter.places.front().indices;
+  for (const std::size_t& k : indices) {
+    const bool is_last = &k == &indices.back();
     const bool is_plain = key == "size" || key == "weights" || key == "twists" || k > 2;
     const bool turns = key.find("angular") == 0 || key == "moment" || key == "inertia";
     if (is_last && parameter.kind == Parameter::Kind::number && parameter.axis > 0)
@@ -28,18 +26,16 @@ std::string index_words(const Parameter& parameter, const std::string& key,
 } // namespace
 
 std::string parameter_words(const Parameter& parameter) {
-  const std::string& path = parameter.path;
-  const std::size_t bracket = std::min(path.find('[', path.rfind('.') + 1), path.size());
-  const std::size_t dot = path.rfind('.', bracket);
-  const std::string owner = dot == std::string::npos ? "" : path.substr(0, dot);
-  const std::string key = path.substr(dot + 1, bracket - dot - 1);
+  const std::string& owner = parameter.owner;
+  const std::string rest = parameter.path.substr(owner.empty() ? 0 : owner.size() + 1);
+  const std::string key = rest.substr(0, rest.find('['));
   std::string words = key;
   std::replace(words.begin(), words.end(), '_', ' ');
   if (owner == "object")
     words += " of the object";
   else if (!owner.empty() && owner != "*")
     words += " of " + owner;
-  return words + index_words(parameter, key, path.substr(bracket));
+  return words + index_words(parameter, key);
 }
 
 std::string parameter_label(const Parameter& parameter) {
