@@ -65,8 +65,6 @@ public:
   Document trajectory() const override;
   Document contacts() const override;
   std::vector<double> z(const RawProblem& problem) const override;
-
-protected:
   void inspect(const SceneFile& file) const override;
 
 private:

@@ -124,6 +124,10 @@ std::string set_words(const Arguments& arguments) {
   return words;
 }
 
+void tell_doubts(const Arguments& arguments) {
+  for (const SceneDoubt& doubt : arguments.doubts()) tell("Check: " + doubt_text(doubt) + ".");
+}
+
 int answer(const Command& command, const Arguments& arguments) {
   refuse_certificate_without_file(arguments);
   const std::string format = arguments.text("format").value_or(command.formats[0]);
@@ -146,7 +150,7 @@ int answer(const Command& command, const Arguments& arguments) {
   if (format == "text" && (command.name == "solve" || command.name == "break") &&
       isatty(STDOUT_FILENO) != 0 && !arguments.has("output") && arguments.files()[0] != "-")
     tell("next: lcpush report " + arguments.files()[0] + set_words(arguments) + " -o page.html");
-  for (const SceneDoubt& doubt : arguments.doubts()) tell("Check: " + doubt_text(doubt) + ".");
+  tell_doubts(arguments);
   const bool is_proved = write_certificate(arguments, result);
   return result.is_good && is_proved ? 0 : 1;
 }
@@ -159,7 +163,10 @@ int run(const ShellCommand& command, const std::vector<std::string>& words, bool
   }
   try {
     const Arguments arguments(command, words);
-    return command.run_alone != nullptr ? command.run_alone(arguments) : answer(command, arguments);
+    if (command.run_alone == nullptr) return answer(command, arguments);
+    const int status = command.run_alone(arguments);
+    tell_doubts(arguments);
+    return status;
   } catch (const UsageError& error) {
     return refuse("lcpush " + command.name + ": " + error.what(),
                   "lcpush " + command.name + " --help");

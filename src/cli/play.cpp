@@ -43,6 +43,7 @@ int run_play(const Arguments& arguments) {
     text = scene.text;
     // What is wrong is said here as well.
     const SceneFile file = parse_scene(text, scene.name);
+    arguments.inspect(file);
     if (size_of(file.view()).unknowns() > limits::unknowns_searched)
       throw InputError(scene.name + ": more than the " + std::to_string(limits::unknowns_searched) +
                        " unknowns that the page solves while you look; use fewer points or facets");

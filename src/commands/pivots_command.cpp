@@ -16,6 +16,7 @@ PivotSubject read_subject(const Values& values) {
   }
   const Document scene = values.scene_document();
   SceneFile file = parse_scene(scene.text, scene.name);
+  values.inspect(file);
   file.is_round = false; // pivots are those of a pyramid
   if (!as_solved) {
     file.facets = values.whole("facets", {4, 256, true}).value_or(4);

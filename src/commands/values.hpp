@@ -125,6 +125,8 @@ public:
   /// With the values of --set.
   Document scene_document(std::size_t k = 0) const;
   SceneFile scene(Needs needs, Strokes strokes = Strokes::first) const;
+  /// Of every scene that is read: what is odd about it is said, and refused with --strict.
+  virtual void inspect(const SceneFile&) const {}
   /// For a question that knows pyramids alone; the listener hears what stands for a round cone.
   void take_pyramids(SceneFile& file, Listener& listener) const;
   /// With the laws of --pressure and --facets, if they are given.
@@ -149,8 +151,6 @@ public:
 
 protected:
   const Command& command() const { return command_; }
-  /// Of every scene that is read.
-  virtual void inspect(const SceneFile&) const {}
 
 private:
   const Command& command_;

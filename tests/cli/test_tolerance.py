@@ -148,7 +148,9 @@ class Tolerance(ToolTest):
         scene, middle = self.file("ranges.toml", ranges), self.file("middle.toml", SLIDE_TEXT)
         solved = run("solve", scene)
         self.assertEqual(solved.stdout, run("solve", middle).stdout)
-        self.assertIn("the middle of the ranges is taken, object mass = 0.2 (0.18 to 0.22)", unwrapped(solved.stderr))
+        for asked in ("solve", "pivots", "play", "export"):
+            said = unwrapped(run(asked, scene, "-o", self.path / asked).stderr)
+            self.assertIn("the middle of the ranges is taken, object mass = 0.2 (0.18 to 0.22)", said, asked)
         self.assertEqual(run("solve", scene, "--strict").returncode, 0)
         self.assertEqual([w["code"] for w in json_of("break", scene)["warnings"]], ["middle"])
         self.assertIn("numbers are ranges", run("solve", scene, "--certify", self.path / "c.json").stderr)
