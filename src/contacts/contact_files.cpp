@@ -1,13 +1,13 @@
 // Contact problems in JSON and in folders of Matrix Market files, as FCLIB and Siconos name them.
 #include "contacts/settings.hpp"
+#include "dense/decompositions.hpp"
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/contacts.hpp"
-#include "lcpush/desktop/matrix_market.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -15,25 +15,12 @@ namespace lcpush::desktop {
 namespace {
 
 using Eigen::VectorXd;
-using Sparse = ContactProblem::Sparse;
-using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr const char* known_keys[] = {"W", "G", "M",  "H", "b", "g", "q",
                                       "f", "w", "mu", "V", "R", "s", "r"};
 
-Sparse sparse_of(const SparseRows& rows) {
-  Sparse matrix(rows.rows(), rows.cols);
-  matrix.reserve(static_cast<Index>(rows.entries.size()));
-  for (Index i = 0; i < rows.rows(); ++i) {
-    matrix.startVec(i);
-    for (const SparseEntry& entry : rows.row(i)) matrix.insertBack(i, entry.column) = entry.value;
-  }
-  matrix.finalize();
-  return matrix;
-}
-
 /// An array of rows, or of the numbers of a column.
-Sparse sparse_of(const JsonValue& value, const JsonFields& fields, const std::string& key) {
+SparseRows rows_of(const JsonValue& value, const JsonFields& fields, const std::string& key) {
   const JsonArray* const array = value.as<JsonArray>();
   if (array == nullptr)
     fields.refuse(value, desktop::quoted(key) + " must be an array of numbers or of rows, got " +
@@ -55,7 +42,7 @@ Sparse sparse_of(const JsonValue& value, const JsonFields& fields, const std::st
     }
     rows.end_row();
   }
-  return sparse_of(rows);
+  return rows;
 }
 
 /// The parts of a problem by their names, of a file or folder.
@@ -68,8 +55,7 @@ public:
                                       "\"mu\", or with \"M\", \"H\", \"f\" and \"mu\", got ") +
                               root.type());
     for (const char* key : known_keys)
-      if (const JsonValue* const value = root.find(key))
-        parts_[key] = sparse_of(*value, fields, key);
+      if (const JsonValue* const value = root.find(key)) parts_[key] = rows_of(*value, fields, key);
     const std::string normal = fields.text(root, "normal");
     is_normal_last = normal == "last";
     if (!normal.empty() && normal != "first" && normal != "last")
@@ -81,7 +67,7 @@ public:
     for (const char* key : known_keys) {
       const std::string path = folder + "/" + key + ".mtx";
       std::error_code ignored;
-      if (std::filesystem::exists(path, ignored)) parts_[key] = sparse_of(read_sparse_matrix(path));
+      if (std::filesystem::exists(path, ignored)) parts_[key] = read_sparse_matrix(path);
     }
     if (!has("V") && has("R") && !has("r")) parts_["r"] = parts_["R"]; // reactions
   }
@@ -93,14 +79,14 @@ public:
     throw InputError(name_ + ": " + sentence);
   }
   /// The first that is there. A size < 0 may be any.
-  const Sparse& part(const std::vector<std::string>& keys, Index rows, Index cols,
-                     const std::string& what) const {
+  const SparseRows& part(const std::vector<std::string>& keys, Index rows, Index cols,
+                         const std::string& what) const {
     for (const std::string& key : keys) {
       if (!has(key)) continue;
-      const Sparse& part = parts_.at(key);
-      if ((rows >= 0 && part.rows() != rows) || (cols >= 0 && part.cols() != cols))
+      const SparseRows& part = parts_.at(key);
+      if ((rows >= 0 && part.rows() != rows) || (cols >= 0 && part.cols != cols))
         refuse(desktop::quoted(key) + " is " + std::to_string(part.rows()) + " x " +
-               std::to_string(part.cols()) + ", but it is " + what +
+               std::to_string(part.cols) + ", but it is " + what +
                (rows < 0 || cols < 0 ? ""
                                      : ": " + std::to_string(rows) + " x " + std::to_string(cols)));
       return part;
@@ -108,65 +94,93 @@ public:
     refuse(desktop::quoted(keys[0]) + " is missing: " + what);
   }
   VectorXd vector(const std::vector<std::string>& keys, Index rows, const std::string& what) const {
-    return Eigen::MatrixXd(part(keys, rows, 1, what)).col(0);
+    const SparseRows& column = part(keys, rows, 1, what);
+    VectorXd x = VectorXd::Zero(column.rows());
+    for (Index i = 0; i < x.size(); ++i)
+      for (const SparseEntry& entry : column.row(i)) x[i] = entry.value;
+    return x;
   }
 
 private:
   std::string name_;
-  std::map<std::string, Sparse> parts_;
+  std::map<std::string, SparseRows> parts_;
 };
+
+void check_symmetric(const Parts& parts, const SparseRows& A, const std::string& name) {
+  VectorXd diagonal(A.rows());
+  for (Index i = 0; i < A.rows(); ++i) diagonal[i] = A(i, i);
+  std::vector<std::size_t> next = A.begins; // in each row: its entries up to column i are done
+  for (Index i = 0; i < A.rows(); ++i)
+    for (const auto& [j, value] : A.row(i)) {
+      const auto row = static_cast<std::size_t>(j);
+      std::size_t& k = next[row];
+      while (k < A.begins[row + 1] && A.entries[k].column < i) ++k;
+      const bool is_there = k < A.begins[row + 1] && A.entries[k].column == i;
+      const double other = is_there ? A.entries[k].value : 0;
+      const double size = std::sqrt(std::abs(diagonal[i])) * std::sqrt(std::abs(diagonal[j]));
+      const bool is_large = std::abs(value) > (1 + ContactSettings::asymmetric) * size;
+      if (diagonal[i] < 0 || is_large ||
+          std::abs(value - other) > ContactSettings::asymmetric * size)
+        parts.refuse("the " + name + " matrix is not " +
+                     (diagonal[i] < 0 || is_large ? "positive semidefinite" : "symmetric") +
+                     ": row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1) +
+                     " is " + shown(value) + ", the diagonal " + shown(diagonal[i]) + " and " +
+                     shown(diagonal[j]) + ", the other side " + shown(other));
+    }
+}
 
 /// W = H' M^-1 H and b = H' M^-1 f + w.
 void condense(const Parts& parts, Index n, ContactProblem& problem) {
   const Index m = parts.part({"M"}, -1, -1, "").rows();
-  const Eigen::SparseMatrix<double> M = parts.part({"M"}, m, m, "a square mass matrix");
-  Eigen::SparseMatrix<double> H = parts.part({"H", "G"}, -1, -1, "what forces do to the bodies");
-  if (H.rows() == n && H.cols() == m && n != m)
-    H = Eigen::SparseMatrix<double>(H.transpose()); // as a Jacobian
-  else
-    H = parts.part({"H", "G"}, m, n, "a row for each of M and three columns a contact");
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(M);
-  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
-    parts.refuse("\"M\" is not positive definite: every mass is > 0");
-  const Eigen::SparseMatrix<double> moved = factor.solve(H), W = H.transpose() * moved;
-  problem.W = 0.5 * (W + Eigen::SparseMatrix<double>(W.transpose()));
-  problem.b = moved.transpose() * parts.vector({"f", "q"}, m, "the load, a number a row of M");
-  if (parts.has("w")) problem.b += parts.vector({"w"}, n, "a velocity, three numbers a contact");
+  const SparseRows& M = parts.part({"M"}, m, m, "a square mass matrix");
+  if (m > 2 * ContactSettings::most_rows)
+    parts.refuse("\"M\" has " + std::to_string(m) + " rows; at most " +
+                 std::to_string(2 * ContactSettings::most_rows) + " are solved within a gigabyte");
+  check_symmetric(parts, M, "mass");
+  const SparseRows& any = parts.part({"H", "G"}, -1, -1, "what forces do to the bodies");
+  const bool is_jacobian = any.rows() == n && any.cols == m && n != m;
+  const SparseRows& H =
+      is_jacobian ? any
+                  : parts.part({"H", "G"}, m, n, "a row for each of M and three columns a contact");
+  RowMatrix A = RowMatrix::Zero(m, m + n + 1); // [M | H | f]
+  for (Index i = 0; i < m; ++i)
+    for (const auto& [j, value] : M.row(i)) A(i, j) = value;
+  for (Index i = 0; i < H.rows(); ++i)
+    for (const auto& [j, value] : H.row(i)) (is_jacobian ? A(j, m + i) : A(i, m + j)) = value;
+  A.col(m + n) = parts.vector({"f", "q"}, m, "the load, a number a row of M");
+  const RowMatrix forces = A.middleCols(m, n).transpose();
+  const auto moved = eliminate(A, true);
+  if (!moved) parts.refuse("\"M\" is not positive definite: every mass is > 0");
+  problem.W.cols = n;
+  problem.b = parts.has("w") ? parts.vector({"w"}, n, "a velocity, three numbers a contact")
+                             : VectorXd::Zero(n);
+  for (Index c = 0; c < n; ++c) {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n + 1);
+    for (Index i = 0; i < m; ++i)
+      if (forces(c, i) != 0) row += forces(c, i) * moved->row(i);
+    for (Index j = 0; j < n; ++j)
+      if (row[j] != 0) problem.W.add(j, row[j]);
+    problem.W.end_row();
+    problem.b[c] += row[n];
+  }
 }
 
 void read_equalities(const Parts& parts, Index n, ContactProblem& problem) {
-  problem.V = Eigen::MatrixXd(n, 0);
+  const Index e =
+      parts.has("V") ? parts.part({"V"}, n, -1, "a matrix with three rows a contact").cols : 0;
+  problem.V = Eigen::MatrixXd::Zero(n, e);
+  problem.R = problem.s = VectorXd::Zero(e);
   if (!parts.has("V")) return;
-  problem.V = Eigen::MatrixXd(parts.part({"V"}, n, -1, "a matrix with three rows a contact"));
-  const Index e = problem.V.cols();
-  const Eigen::MatrixXd R = parts.part({"R"}, e, e, "square, a row for each column of \"V\"");
-  problem.R = R.diagonal();
-  if (!R.isDiagonal(0) || (e > 0 && problem.R.maxCoeff() > 0))
-    parts.refuse("\"R\" must be diagonal, with entries <= 0: minus inertias");
-  problem.s = parts.vector({"s"}, e, "a number a column of \"V\"");
-}
-
-void check(const Parts& parts, const ContactProblem& problem) {
-  const Sparse& W = problem.W;
-  const VectorXd diagonal = W.diagonal();
-  for (Index i = 0; i < W.rows(); ++i)
-    for (Sparse::InnerIterator entry(W, i); entry; ++entry) {
-      const Index j = entry.col();
-      const double size = std::sqrt(std::abs(diagonal[i])) * std::sqrt(std::abs(diagonal[j]));
-      const bool is_large = std::abs(entry.value()) > (1 + ContactSettings::asymmetric) * size;
-      if (diagonal[i] < 0 || is_large ||
-          std::abs(entry.value() - W.coeff(j, i)) > ContactSettings::asymmetric * size)
-        parts.refuse(
-            "the Delassus matrix is not " +
-            std::string(diagonal[i] < 0 || is_large ? "positive semidefinite" : "symmetric") +
-            ": row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1) + " is " +
-            shown(entry.value()) + ", the diagonal " + shown(diagonal[i]) + " and " +
-            shown(diagonal[j]) + ", the other side " + shown(W.coeff(j, i)));
+  for (Index i = 0; i < n; ++i)
+    for (const auto& [j, value] : parts.part({"V"}, n, e, "").row(i)) problem.V(i, j) = value;
+  const SparseRows& R = parts.part({"R"}, e, e, "square, a row for each column of \"V\"");
+  for (Index i = 0; i < e; ++i)
+    for (const auto& [j, value] : R.row(i)) {
+      if (j != i || value > 0)
+        parts.refuse("\"R\" must be diagonal, with entries <= 0: minus inertias");
+      problem.R[i] = value;
     }
-  for (Index c = 0; c < problem.contacts(); ++c)
-    if (problem.mu[c] < 0)
-      parts.refuse("\"mu\" of contact " + std::to_string(c + 1) + " is " + shown(problem.mu[c]) +
-                   "; friction is >= 0");
+  problem.s = parts.vector({"s"}, e, "a number a column of \"V\"");
 }
 
 /// Row i of a contact with the normal last, where it comes first.
@@ -179,12 +193,16 @@ VectorXd turned(const VectorXd& given) {
 }
 
 void turn(ContactProblem& problem) {
-  Triplets entries;
-  for (Index i = 0; i < problem.W.rows(); ++i)
-    for (Sparse::InnerIterator entry(problem.W, i); entry; ++entry)
-      entries.emplace_back(static_cast<int>(turned(i)), static_cast<int>(turned(entry.col())),
-                           entry.value());
-  problem.W.setFromTriplets(entries.begin(), entries.end());
+  SparseRows W;
+  W.cols = problem.W.cols;
+  for (Index i = 0; i < W.cols; ++i) {
+    VectorXd row = VectorXd::Zero(W.cols);
+    for (const auto& [j, value] : problem.W.row(i - i % 3 + (i + 2) % 3)) row[turned(j)] = value;
+    for (Index j = 0; j < W.cols; ++j)
+      if (row[j] != 0) W.add(j, row[j]);
+    W.end_row();
+  }
+  problem.W = std::move(W);
   problem.b = turned(problem.b);
   for (Index a = 0; a < problem.V.cols(); ++a)
     problem.V.col(a) = turned(VectorXd(problem.V.col(a)));
@@ -211,7 +229,11 @@ ContactProblem problem_of(const Parts& parts, bool normal_last) {
     problem.b = parts.vector({"b", "g", "q"}, n, "a column, three numbers for each of \"mu\"");
   }
   read_equalities(parts, n, problem);
-  check(parts, problem);
+  check_symmetric(parts, problem.W, "Delassus");
+  for (Index c = 0; c < k; ++c)
+    if (problem.mu[c] < 0)
+      parts.refuse("\"mu\" of contact " + std::to_string(c + 1) + " is " + shown(problem.mu[c]) +
+                   "; friction is >= 0");
   problem.normal_last = normal_last || parts.is_normal_last;
   if (problem.normal_last) turn(problem);
   if (parts.has("r")) take_forces(parts, problem);

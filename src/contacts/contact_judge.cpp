@@ -40,10 +40,12 @@ Sizes laws_broken(const Vector3d& r, const Vector3d& u, double mu, double slow) 
   return size;
 }
 
-/// l of given forces: from the equality where it has one, else as what presses does not part.
-VectorXd fitted_l(const ContactProblem& p, const VectorXd& r, const VectorXd& sizes) {
+/// l of given forces: from the equality where it has one, else as what presses does not part; u
+/// without it, whose terms have `sizes`.
+VectorXd fitted_l(const ContactProblem& p, const VectorXd& r, const VectorXd& u,
+                  const VectorXd& sizes) {
   const Index e = p.s.size();
-  const VectorXd lacks = p.V.transpose() * r + p.s, u = p.W * r + p.b;
+  const VectorXd lacks = product(p.V.transpose(), r) + p.s;
   std::vector<Index> rows;
   const double small = usual_contact_tolerance * r.cwiseAbs().maxCoeff();
   for (Index c = 0; c < p.contacts(); ++c) {
@@ -78,18 +80,22 @@ ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double 
   answer.tolerance = tolerance;
   answer.r = r;
   const Index n = p.b.size(), k = p.contacts();
-  VectorXd sizes = p.W.cwiseAbs() * r.cwiseAbs() + p.b.cwiseAbs(), units = VectorXd::Ones(k);
-  answer.l = l != nullptr ? *l : p.s.size() > 0 ? fitted_l(p, r, sizes) : VectorXd();
-  answer.u = p.W * r + p.b;
-  if (answer.l.size() > 0) {
-    answer.u += p.V * answer.l;
-    sizes += p.V.cwiseAbs() * answer.l.cwiseAbs();
-  }
+  VectorXd sizes = p.b.cwiseAbs(), units = VectorXd::Ones(k);
+  answer.u = p.b;
+  for (Index i = 0; i < n; ++i)
+    for (const SparseEntry& entry : p.W.row(i)) {
+      const double term = entry.value * r[entry.column];
+      answer.u[i] += term;
+      sizes[i] += std::abs(term);
+    }
+  answer.l = l != nullptr ? *l : fitted_l(p, r, answer.u, sizes);
+  answer.u += product(p.V, answer.l);
+  sizes += product(p.V.cwiseAbs(), answer.l.cwiseAbs());
   // A contact's forces are measured beside the largest, both by what moves their contacts.
   double largest = 0;
   for (Index c = 0; c < k; ++c) {
     double w = 0;
-    for (Index i = 3 * c; i < 3 * c + 3; ++i) w = std::max(w, p.W.coeff(i, i));
+    for (Index i = 3 * c; i < 3 * c + 3; ++i) w = std::max(w, p.W(i, i));
     if (w > 0) units[c] = 1 / std::sqrt(w);
     largest = std::max(largest, r.segment<3>(3 * c).norm() / units[c]);
   }

@@ -105,6 +105,79 @@ MatrixXd PivotedQr::kernel() const {
   return N;
 }
 
+namespace {
+
+constexpr Index together = DenseSettings::rows_together, step = DenseSettings::vector_step;
+
+/// row -= by * rows above, those one by one: a compiler gives entries of a step to a vector unit.
+void subtract(const double (&by)[together], const double* above, Index stride, Index count,
+              double* __restrict row) {
+  Index j = 0;
+  for (; j + step <= count; j += step)
+    for (Index i = j; i < j + step; ++i)
+      row[i] = row[i] - by[0] * above[i] - by[1] * above[i + stride] -
+               by[2] * above[i + 2 * stride] - by[3] * above[i + 3 * stride];
+  for (; j < count; ++j)
+    for (Index k = 0; k < together; ++k) row[j] -= by[k] * above[j + k * stride];
+}
+
+struct Pivot {
+  Index column, begin, end; ///< in A; where the row's other entries may stand
+};
+
+} // namespace
+
+std::optional<RowMatrix> eliminate(Eigen::Ref<RowMatrix> A, bool definite) {
+  const Index n = A.rows(), width = A.cols();
+  std::vector<Pivot> pivots;
+  const auto reduce = [&](Index i, Index k, Index count) {
+    double by[together] = {};
+    Index begin = n, end = 0;
+    for (Index a = 0; a < count; ++a) {
+      const Pivot& pivot = pivots[static_cast<std::size_t>(k + a)];
+      by[a] = A(i, pivot.column);
+      for (Index b = 0; b < a; ++b) by[a] -= by[b] * A(k + b, pivot.column);
+      if (by[a] == 0) continue;
+      begin = std::min(begin, pivot.begin);
+      end = std::max(end, pivot.end);
+    }
+    if (begin >= end) return;
+    const Index stride = count == 1 ? 0 : A.outerStride();
+    subtract(by, &A(k, begin), stride, end - begin, &A(i, begin));
+    subtract(by, &A(k, 0) + n, stride, width - n, &A(i, 0) + n);
+    for (Index a = 0; a < count; ++a) A(i, pivots[static_cast<std::size_t>(k + a)].column) = 0;
+  };
+  // Some rows at a time, which stay in a processor's cache while those above pass by.
+  for (Index first = 0; first < n; first += DenseSettings::rows_at_once) {
+    const Index last = std::min(n, first + DenseSettings::rows_at_once);
+    for (Index k = 0; k < first; k += together)
+      for (Index i = first; i < last; ++i) reduce(i, k, together);
+    for (Index i = first; i < last; ++i) {
+      for (Index k = first; k < i; ++k) reduce(i, k, 1);
+      Pivot pivot{i, n, 0};
+      for (Index j = 0; j < n; ++j) {
+        if (A(i, j) == 0) continue;
+        pivot.begin = std::min(pivot.begin, j);
+        pivot.end = j + 1;
+        const double size = std::abs(A(i, j)) * (pivot.column == i ? DenseSettings::diagonal : 1);
+        if (!definite && size > std::abs(A(i, pivot.column))) pivot.column = j;
+      }
+      const double size = A(i, pivot.column);
+      if (!(definite ? size > 0 : std::abs(size) > 0)) return std::nullopt;
+      A.row(i) /= size;
+      pivots.push_back(pivot);
+    }
+  }
+  RowMatrix X(n, width - n);
+  for (Index i = n - 1; i >= 0; --i) {
+    const Pivot& pivot = pivots[static_cast<std::size_t>(i)];
+    X.row(pivot.column) = A.row(i).tail(X.cols());
+    for (Index j = pivot.begin; j < pivot.end; ++j)
+      if (j != pivot.column && A(i, j) != 0) X.row(pivot.column) -= A(i, j) * X.row(j);
+  }
+  return X;
+}
+
 MatrixXd product(const Eigen::Ref<const MatrixXd>& A, const Eigen::Ref<const MatrixXd>& B) {
   MatrixXd C = MatrixXd::Zero(A.rows(), B.cols());
   for (Index j = 0; j < B.cols(); ++j)

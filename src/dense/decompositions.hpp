@@ -37,6 +37,13 @@ private:
   Eigen::VectorXd solve_triangle(Eigen::VectorXd y) const;
 };
 
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// X of A X = B, of [A | B], which is spent; nothing if A is singular. Row after row is freed of
+/// the pivots above it and pivots on its largest entry; or on the diagonal of a matrix that is
+/// `definite`, and nothing if it is not. Zeros cost nothing: of a band O(rows band^2).
+std::optional<RowMatrix> eliminate(Eigen::Ref<RowMatrix> A, bool definite = false);
+
 /// A B, the terms of an entry added in their order. Eigen's own products differ in their bits with
 /// a processor's caches, and each kind of factor costs a compiler a second.
 Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,

@@ -52,3 +52,31 @@ TEST_CASE("columns of all sizes, none, and only zeros") {
   CHECK(PivotedQr(Eigen::MatrixXd(0, 2)).kernel() == Eigen::MatrixXd::Identity(2, 2));
   CHECK_FALSE(least_squares(Eigen::MatrixXd::Ones(3, 2), Eigen::VectorXd::Ones(3), 1e-10));
 }
+
+TEST_CASE("systems of several right sides by elimination; singular ones, and definite ones") {
+  std::mt19937 random(6);
+  for (const Index n : {1, 3, 15, 16, 17, 70}) {
+    for (const Index band : {n, Index{2}}) {
+      CAPTURE(n);
+      RowMatrix A = random_matrix(random, n, n + 2);
+      for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j)
+          if (std::abs(i - j) > band) A(i, j) = 0;
+      if (n > 1) A(0, 0) = 0; // pivots beside the diagonal
+      RowMatrix spent = A;
+      const auto X = eliminate(spent);
+      REQUIRE(X);
+      CHECK((A.leftCols(n) * *X - A.rightCols(2)).norm() <= 1e-11 * (1 + X->norm()));
+    }
+    RowMatrix A = random_matrix(random, n, n + 1), M = A.leftCols(n) * A.leftCols(n).transpose();
+    A.leftCols(n) = M + RowMatrix::Identity(n, n);
+    RowMatrix spent = A;
+    const auto x = eliminate(spent, true);
+    REQUIRE(x);
+    CHECK((A.leftCols(n) * *x - A.col(n)).norm() <= 1e-11 * (1 + x->norm()));
+    A(n - 1, n - 1) -= 1000;
+    CHECK_FALSE(eliminate(A, true));
+    A.row(0).head(n).setZero();
+    CHECK_FALSE(eliminate(A));
+  }
+}

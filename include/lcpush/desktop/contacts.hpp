@@ -2,11 +2,11 @@
 // every contact. Read, solved with round or pyramid friction, judged.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lcpush/desktop/matrix_market.hpp"
 #include "lcpush/types.hpp"
 
 namespace lcpush::desktop {
@@ -16,9 +16,7 @@ namespace lcpush::desktop {
 ///   u = W r + V l + b,   V' r + R l + s = 0,   0 <= r_n _|_ u_n >= 0,   |r_t| <= mu r_n,
 ///   r_t opposite to u_t, |r_t| = mu r_n where u_t is not 0.
 struct ContactProblem {
-  using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-  Sparse W;                         ///< 3k x 3k, symmetric, positive semidefinite
+  SparseRows W;                     ///< 3k x 3k, symmetric, positive semidefinite
   Eigen::VectorXd b;                ///< 3k
   Eigen::VectorXd mu;               ///< k
   Eigen::MatrixXd V;                ///< 3k x e
