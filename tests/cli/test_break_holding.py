@@ -4,62 +4,34 @@ import re
 
 from tool import SCENES, ToolTest, json_of, main, run, unwrapped
 from random_scenes import random_scene
+from scene_tables import finger, pusher, table
 SLIDE_TEXT = "facets = 8\n" + (SCENES / "straight_slide.toml").read_text()
 KEYS = ("smallest_grip", "smallest_grip_factor", "smallest_grip_from", "holds_at_rest",
         "smallest_grip_at_rest", "smallest_grip_at_rest_factor", "smallest_grip_at_rest_from")
 
 
-def finger(name, points, side, force):
-    grip = "" if force is None else f"grip_force = {force}\n"
-    return (f'[[finger]]\nname = "{name}"\nshape = "points"\npoints = {points}\n'
-            f"normal = [0, 0, {-side}]\nfriction = 0.5\n{grip}")
-
-
-def scene(fingers, extra="", pressure="pad", gravity=(0, -9.81, 0)):
+def scene(fingers, extra="", pressure="pad"):
     """A box of 0.2 kg; the pusher is a point that only just touches it at the side."""
-    return (f'facets = 8\ngravity = {list(gravity)}\npressure = "{pressure}"\n'
-            "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" + fingers + extra +
-            '[[pusher]]\nname = "rod"\nshape = "point"\ncenter = [-0.05, 0, 0]\n'
-            "normal = [1, 0, 0]\nfriction = 0\nacceleration = [0.1, 0, 0]\n")
+    return (table("", facets=8, gravity=[0, -9.81, 0], pressure=pressure) +
+            table("[object]", mass=0.2, box=[0.1, 0.03, 0.01]) + fingers + extra +
+            pusher("rod", "point", center=[-0.05, 0, 0], normal=[1, 0, 0], friction=0, acceleration=[0.1, 0, 0]))
 
 
-def pinch(points=([0, 0],), left=20, right=20):
-    return (finger("left", [[*p, 0.005] for p in points], 1, left) +
-            finger("right", [[*p, -0.005] for p in points], -1, right))
+def pinch(points=([0, 0],), force=20):
+    return "".join(finger(name, "points", points=[[*p, side * 0.005] for p in points], normal=[0, 0, -side], friction=0.5,
+                          grip_force=force) for name, side in (("left", 1), ("right", -1)))
 
 
-LOCKED_TWISTED = """facets = 8
-[object]
-mass = 0.3
-inertia = [0.0008, 0.0008, 0.0009]
-moment = [-0.007, -0.002, 0.02]
-[gripper]
-jaws = "locked"
-[[finger]]
-name = "line"
-shape = "line"
-ends = [[0.08, -0.0003, 0.007], [0.08, 0.0003, -0.007]]
-points = 7
-normal = [-1, -0.3, -0.06]
-friction = 0.28
-grip_force = 12.805678494638258
-[[finger]]
-name = "pair"
-shape = "rectangle"
-center = [-0.08, 0, 0]
-size = [0.004, 0.006]
-points = [2, 1]
-normal = [9, -4, -0.5]
-friction = 0.9
-grip_force = 12.805678494638258
-[[pusher]]
-name = "pin"
-shape = "point"
-normal = [0, 0, 1]
-friction = 0.5
-acceleration = [0.3, 0.006, 0.7]
-center = [0.04, 0.03, -0.03]
-"""
+LOCKED_TWISTED = (
+    table("", facets=8) +
+    table("[object]", mass=0.3, inertia=[0.0008, 0.0008, 0.0009], moment=[-0.007, -0.002, 0.02]) +
+    table("[gripper]", jaws="locked") +
+    finger("line", "line", ends=[[0.08, -0.0003, 0.007], [0.08, 0.0003, -0.007]], points=7, normal=[-1, -0.3, -0.06],
+        friction=0.28, grip_force=12.805678494638258) +
+    finger("pair", "rectangle", center=[-0.08, 0, 0], size=[0.004, 0.006], points=[2, 1], normal=[9, -4, -0.5],
+        friction=0.9, grip_force=12.805678494638258) +
+    pusher("pin", "point", normal=[0, 0, 1], friction=0.5, acceleration=[0.3, 0.006, 0.7], center=[0.04, 0.03, -0.03])
+)
 
 
 class Holding(ToolTest):
@@ -90,7 +62,7 @@ class Holding(ToolTest):
                       self.text(SLIDE_TEXT))
 
     def test_a_grasp_that_drops_its_load_says_from_which_force_on_it_would_hold(self):
-        weak = scene(pinch(left=1, right=1))
+        weak = scene(pinch(force=1))
         answer = self.answer(weak)
         self.assertEqual(answer["status"], "does_not_hold")
         self.assertIs(answer["holds_without_push"], False)
@@ -160,19 +132,17 @@ class Holding(ToolTest):
                     self.assertAlmostEqual(answer["rest_acceleration"][1], (4 * friction - 1.962) / 0.2, 7)
 
     def test_a_grip_far_above_the_load_hides_no_fall(self):
-        def point(name, axis, side, more):
+        def point(name, axis, side, **keys):
             center, normal = ([s * side if k == axis else 0 for k in range(3)] for s in (0.02, -1))
-            return (f'[[finger]]\nname = "{name}"\nshape = "point"\ncenter = {center}\n'
-                    f"normal = {normal}\n{more}\n")
+            return finger(name, "point", center=center, normal=normal, **keys)
 
         for grip in (5e4, 1e5, 2e5, 1e6):
             with self.subTest(grip=grip):
-                text = ("gravity = [0, -9.81, 0]\n[object]\nmass = 0.2\nbox = [0.04, 0.04, 0.04]\n"
-                        '[gripper]\njaws = "independent"\n' +
-                        "".join(point(f"grip{s}", 2, s, f"friction = 0\ngrip_force = {grip}") +
-                                point(f"stop{s}", 0, s, "friction = 0.5") for s in (-1, 1)) +
-                        '[[pusher]]\nname = "rod"\nshape = "point"\ncenter = [0, 0.02, 0]\n'
-                        "normal = [0, -1, 0]\nfriction = 0\nacceleration = [0, -0.1, 0]\n")
+                text = (table("", gravity=[0, -9.81, 0]) + table("[object]", mass=0.2, box=[0.04, 0.04, 0.04]) +
+                        table("[gripper]", jaws="independent") +
+                        "".join(point(f"grip{s}", 2, s, friction=0, grip_force=grip) +
+                                point(f"stop{s}", 0, s, friction=0.5) for s in (-1, 1)) +
+                        pusher("rod", "point", center=[0, 0.02, 0], normal=[0, -1, 0], friction=0, acceleration=[0, -0.1, 0]))
                 self.assertEqual(self.answer(text)["status"], "does_not_hold")
 
     def test_a_fall_is_no_other_force_that_breaks(self):
@@ -181,8 +151,7 @@ class Holding(ToolTest):
         self.assertEqual(answer["others"], [])
 
     def test_a_jam_has_every_key_too(self):
-        stop = ('[[finger]]\nname = "stop"\nshape = "point"\ncenter = [0.05, 0, 0]\n'
-                "normal = [-1, 0, 0]\nfriction = 0.3\n")
+        stop = finger("stop", "point", center=[0.05, 0, 0], normal=[-1, 0, 0], friction=0.3)
         answer = self.answer(scene(pinch(), stop))
         self.assertEqual(answer["status"], "ray")
         self.assertIsNone(answer["holds_at_rest"])

@@ -4,46 +4,23 @@ import math
 
 import tool
 from tool import SOURCE, ToolTest, command, main
+from scene_tables import finger, pusher, table
 
 run = command("matrices")
 SCENES = sorted((SOURCE / "fixtures/scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
 
 # Everything at once: an edge, a soft point, a pulling pusher, an actuator that turns a body.
-MIXED = """
-[object]
-mass = 0.5
-box = [0.1, 0.04, 0.02]
-[[finger]]
-name = "pad"
-shape = "rectangle"
-center = [0.01, 0, 0.01]
-normal = [0, 0, -1]
-size = [0.02, 0.01]
-points = [3, 2]
-friction = 0.4
-[[finger]]
-name = "tip"
-shape = "point"
-center = [0, 0, -0.01]
-normal = [0, 0, 1]
-friction = 0.6
-torsion_radius = 0.003
-[[pusher]]
-name = "wall"
-shape = "line"
-ends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]
-points = 3
-normal = [1, 0, 0]
-friction = 0.3
-follow = "bilateral"
-acceleration = [0.1, 0, 0]
-[[actuator]]
-name = "tendon"
-bodies = ["pad", "tip"]
-twists = [[0, 0, -1, 0, 2, 0], [0, 0, 1, 0, 0, 0]]
-force = 20
-"""
+MIXED = (
+    table("[object]", mass=0.5, box=[0.1, 0.04, 0.02]) +
+    finger("pad", "rectangle", center=[0.01, 0, 0.01], normal=[0, 0, -1], size=[0.02, 0.01], points=[3, 2],
+        friction=0.4) +
+    finger("tip", "point", center=[0, 0, -0.01], normal=[0, 0, 1], friction=0.6, torsion_radius=0.003) +
+    pusher("wall", "line", ends=[[-0.05, -0.01, 0], [-0.05, 0.01, 0]], points=3, normal=[1, 0, 0], friction=0.3,
+        follow="bilateral", acceleration=[0.1, 0, 0]) +
+    table("[[actuator]]", name="tendon", bodies=["pad", "tip"], twists=[[0, 0, -1, 0, 2, 0], [0, 0, 1, 0, 0, 0]],
+        force=20)
+)
 
 
 def column(matrix, name):

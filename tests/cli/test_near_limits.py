@@ -4,125 +4,52 @@ import math
 import unittest
 
 from tool import command, main, unwrapped
+from scene_tables import finger, pusher, table
 
 run = command("solve")
 
-FLOOR = """gravity = [0, 0, -9.81]
-facets = "round"
-[object]
-mass = 1
-box = [0.2, 0.2, 0.2]
-force = [{}, {}, 0]
-[[finger]]
-name = "floor"
-shape = "rectangle"
-points = [2, 2]
-center = [0, 0, -0.1]
-size = [0.2, 0.2]
-normal = [0, 0, 1]
-friction = 0.5
-"""
+def floor(x, y):
+    return (table("", gravity=[0, 0, -9.81], facets="round") + table("[object]", mass=1, box=[0.2, 0.2, 0.2], force=[x, y, 0]) +
+            finger("floor", "rectangle", points=[2, 2], center=[0, 0, -0.1], size=[0.2, 0.2], normal=[0, 0, 1], friction=0.5))
 
-PEG = """planar = true
-[object]
-mass = 0.1
-box = [0.02, 0.06, 0.02]
-[[finger]]
-name = "lip"
-shape = "point"
-center = [0.01, -0.025, 0]
-normal = [-1, 0, 0]
-friction = 0.3
-[[finger]]
-name = "bore"
-shape = "point"
-center = [-0.01, -0.03, 0]
-normal = [1, 0, 0]
-friction = 0.3
-[[pusher]]
-name = "press"
-shape = "point"
-center = [0.00833, 0.03, 0]
-normal = [0, -1, 0]
-friction = 0
-acceleration = [0, -0.1, 0]
-"""
 
-SQUEEZED = """[object]
-mass = 1
-box = [0.1, 0.05, 0.05]
-[[pusher]]
-name = "below"
-shape = "ring"
-center = [0.01, -0.025, 0]
-radius = 0.007
-points = 4
-normal = [0, 1, 0]
-friction = 0
-acceleration = [0, 2, 0]
-[[pusher]]
-name = "above"
-shape = "disc"
-center = [0.025, 0.025, 0]
-radius = 0.007
-normal = [0, -1, 0]
-friction = 0
-acceleration = [0, 0, 0]
-"""
+PEG = (
+    table("", planar=True) +
+    table("[object]", mass=0.1, box=[0.02, 0.06, 0.02]) +
+    finger("lip", "point", center=[0.01, -0.025, 0], normal=[-1, 0, 0], friction=0.3) +
+    finger("bore", "point", center=[-0.01, -0.03, 0], normal=[1, 0, 0], friction=0.3) +
+    pusher("press", "point", center=[0.00833, 0.03, 0], normal=[0, -1, 0], friction=0, acceleration=[0, -0.1, 0])
+)
 
-JAW = """planar = true
-[object]
-mass = 0.2
-box = [0.1, 0.03, 0.01]
-[[finger]]
-name = "left"
-shape = "point"
-center = [0, 0, 0.005]
-normal = [0, 0, -1]
-friction = 0.5
-grip_force = 20
-[[finger]]
-name = "right"
-shape = "point"
-center = [0, 0, -0.005]
-normal = [0, 0, 1]
-friction = 0.1
-grip_force = 20
-[[pusher]]
-name = "wall"
-shape = "line"
-ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]
-normal = [1, 0, 0]
-friction = 0.3
-acceleration = [0.1, 0, 0]
-"""
+SQUEEZED = (
+    table("[object]", mass=1, box=[0.1, 0.05, 0.05]) +
+    pusher("below", "ring", center=[0.01, -0.025, 0], radius=0.007, points=4, normal=[0, 1, 0], friction=0,
+        acceleration=[0, 2, 0]) +
+    pusher("above", "disc", center=[0.025, 0.025, 0], radius=0.007, normal=[0, -1, 0], friction=0,
+        acceleration=[0, 0, 0])
+)
 
-NEAR_POINTS = """[object]
-mass = 1
-box = [0.1, 0.05, 0.05]
-[[pusher]]
-name = "rod"
-shape = "points"
-points = [[-0.05, 0, 0], [-0.05, {}, 0]]
-normal = [1, 0, 0]
-friction = 0
-acceleration = [1, 0, 0]
-angular_acceleration = [0, 0, 1]
-follow = "bilateral"
-"""
+JAW = (
+    table("", planar=True) +
+    table("[object]", mass=0.2, box=[0.1, 0.03, 0.01]) +
+    finger("left", "point", center=[0, 0, 0.005], normal=[0, 0, -1], friction=0.5, grip_force=20) +
+    finger("right", "point", center=[0, 0, -0.005], normal=[0, 0, 1], friction=0.1, grip_force=20) +
+    pusher("wall", "line", ends=[[-0.05, -0.015, 0], [-0.05, 0.015, 0]], normal=[1, 0, 0], friction=0.3,
+        acceleration=[0.1, 0, 0])
+)
 
-LIGHT_CUBE = """[object]
-mass = {}
-box = [0.04, 0.04, 0.04]
-""" + "".join(f"""[[finger]]
-name = "{name}"
-shape = "rectangle"
-center = [0, {-0.02 * n}, 0]
-size = [0.02, 0.02]
-normal = [0, {n}, 0]
-friction = 1
-grip_force = 20
-""" for name, n in (("left", -1), ("right", 1)))
+
+
+def near_points(apart):
+    return (table("[object]", mass=1, box=[0.1, 0.05, 0.05]) +
+            pusher("rod", "points", points=[[-0.05, 0, 0], [-0.05, apart, 0]], normal=[1, 0, 0], friction=0,
+                   acceleration=[1, 0, 0], angular_acceleration=[0, 0, 1], follow="bilateral"))
+
+
+def light_cube(mass):
+    return table("[object]", mass=mass, box=[0.04, 0.04, 0.04]) + "".join(
+        finger(name, "rectangle", center=[0, -0.02 * n, 0], size=[0.02, 0.02], normal=[0, n, 0], friction=1, grip_force=20)
+        for name, n in (("left", -1), ("right", 1)))
 
 
 def solved(scene):
@@ -136,7 +63,7 @@ class NearLimits(unittest.TestCase):
             for degrees in (3, 22.5, 71, 130, 204.3, 311):
                 with self.subTest(part=part, degrees=degrees):
                     x, y = (part * limit * f(math.radians(degrees)) for f in (math.cos, math.sin))
-                    answer = solved(FLOOR.format(x, y))
+                    answer = solved(floor(x, y))
                     self.assertEqual(answer["status"], "solved")
                     a = math.hypot(*answer["object"]["acceleration"][:2])
                     self.assertAlmostEqual(a, max(0, part - 1) * limit, delta=1e-6)
@@ -161,20 +88,20 @@ class NearLimits(unittest.TestCase):
         self.assertIn("planar leaves out 1.96 N along z", unwrapped(result.stderr))
 
     def test_what_rounding_hides_is_not_known_and_neither_a_jam_nor_a_motion(self):
-        for apart in ("1e-5", "1e-6", "1e-8"):
+        for apart in (1e-5, 1e-6, 1e-8):
             with self.subTest(apart=apart):
-                answer = solved(NEAR_POINTS.format(apart))
-                self.assertEqual(answer["status"], "solved" if apart == "1e-5" else "numerical_breakdown")
-        for mass in ("1e-6", "1e-9", "1e-10", "1e-12", "1e-15"):
+                answer = solved(near_points(apart))
+                self.assertEqual(answer["status"], "solved" if apart == 1e-5 else "numerical_breakdown")
+        for mass in (1e-6, 1e-9, 1e-10, 1e-12, 1e-15):
             for weight in ("gravity = [0, 0, -9.81]\n", ""):
                 with self.subTest(mass=mass, weight=weight):
-                    answer = solved(weight + LIGHT_CUBE.format(mass))
+                    answer = solved(weight + light_cube(mass))
                     if answer["status"] == "solved":
                         self.assertEqual({c["mode"] for c in answer["contacts"]}, {"stick"})
                         self.assertLess(max(map(abs, answer["object"]["acceleration"])), 1e-3)
                     else:
                         self.assertIn("cannot be told from rounding", answer["reason"])
-                        self.assertLess(float(mass), 1e-8)
+                        self.assertLess(mass, 1e-8)
 
 
 if __name__ == "__main__":

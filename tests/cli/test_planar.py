@@ -5,49 +5,23 @@ import random
 import sys
 
 from tool import SOURCE, ToolTest, json_of, main, run
+from scene_tables import finger, pusher, table
 
 sys.path.insert(0, str(SOURCE / "docs/check"))
 sys.dont_write_bytecode = True
 from lcpush_check import check
 
-LIFT = """planar = true
-gravity = [0, -9.81, 0]
-[object]
-mass = 1
-box = [0.1, 0.1, 0.1]
-[[pusher]]
-name = "tray"
-shape = "point"
-center = [0, -0.05, 0]
-normal = [0, 1, 0]
-friction = 0.8
-acceleration = [2, 0, 0]
-"""
-PLATE = """planar = true
-[object]
-mass = 0.8
-box = [0.09, 0.09, 0.012]
-[[finger]]
-name = "table"
-shape = "disc"
-center = [0.01, 0, -0.006]
-radius = 0.02
-normal = [0, 0, 1]
-friction = 0.3
-grip_force = 8
-[[pusher]]
-name = "rod"
-shape = "point"
-center = [-0.045, 0.02, 0]
-normal = [1, 0, 0]
-friction = 0.2
-velocity = [0.02, 0.004, 0]
-"""
-
-
-def body(kind, name, place, normal, friction, more):
-    return (f'[[{kind}]]\nname = "{name}"\nshape = "point"\ncenter = {place}\nnormal = {normal}\n'
-            f"friction = {friction}\n{more}\n")
+LIFT = (
+    table("", planar=True, gravity=[0, -9.81, 0]) +
+    table("[object]", mass=1, box=[0.1, 0.1, 0.1]) +
+    pusher("tray", "point", center=[0, -0.05, 0], normal=[0, 1, 0], friction=0.8, acceleration=[2, 0, 0])
+)
+PLATE = (
+    table("", planar=True) +
+    table("[object]", mass=0.8, box=[0.09, 0.09, 0.012]) +
+    finger("table", "disc", center=[0.01, 0, -0.006], radius=0.02, normal=[0, 0, 1], friction=0.3, grip_force=8) +
+    pusher("rod", "point", center=[-0.045, 0.02, 0], normal=[1, 0, 0], friction=0.2, velocity=[0.02, 0.004, 0])
+)
 
 
 def random_scene(seed):
@@ -58,15 +32,15 @@ def random_scene(seed):
     def vector(angle, length=1):
         return [length * math.cos(angle + turn), length * math.sin(angle + turn), 0]
 
-    text = f"gravity = {vector(pick.uniform(0, 7), 9.81)}\n[object]\nmass = {pick.uniform(0.1, 5)}\n"
-    text += f"box = [{size}, {size}, {size * pick.uniform(0.1, 2)}]\n"
+    text = table("", gravity=vector(pick.uniform(0, 7), 9.81))
+    text += table("[object]", mass=pick.uniform(0.1, 5), box=[size, size, size * pick.uniform(0.1, 2)])
     for k, angle in enumerate(pick.sample([0, 1, 2, 3, 4, 5], pick.randint(2, 3))):
         at = angle * math.pi / 3
-        text += body("finger", f"stop{k}", vector(at + pick.uniform(-0.2, 0.2), size / 2), vector(at + math.pi),
-                     pick.uniform(0, 1), "")
+        text += finger(f"stop{k}", "point", center=vector(at + pick.uniform(-0.2, 0.2), size / 2),
+                       normal=vector(at + math.pi), friction=pick.uniform(0, 1))
     at = pick.uniform(0, 7)
-    return text + body("pusher", "rod", vector(at, size / 2), vector(at + math.pi), pick.uniform(0, 1),
-                       f"acceleration = {vector(pick.uniform(0, 7), pick.uniform(0.1, 3))}")
+    return text + pusher("rod", "point", center=vector(at, size / 2), normal=vector(at + math.pi),
+                         friction=pick.uniform(0, 1), acceleration=vector(pick.uniform(0, 7), pick.uniform(0.1, 3)))
 
 
 class Planar(ToolTest):

@@ -7,6 +7,7 @@ import subprocess
 import time
 
 from tool import SCENES, SOURCE, TOOL, ToolTest, command, json_of, main
+from scene_tables import finger, table
 
 run = command("spread")
 
@@ -136,35 +137,18 @@ class Spread(ToolTest):
             self.assertIn(words, out)
 
     def test_noise_is_no_motion(self):
-        table = self.file("table.toml", """gravity = [0, 0, -9.81]
-[object]
-mass = 8
-box = [0.8, 0.6, 0.7]
-[[finger]]
-name = "legs"
-shape = "rectangle"
-points = [2, 2]
-center = [0, 0, -0.35]
-size = [0.8, 0.6]
-normal = [0, 0, 1]
-friction = 0.5
-""")
-        self.assertIn("does not move; the laws leave its forces open.", run(table).stdout)
-        answer = json.loads(run(table, "--json").stdout)
+        legs = self.file("table.toml", table("", gravity=[0, 0, -9.81]) + table("[object]", mass=8, box=[0.8, 0.6, 0.7]) +
+                         finger("legs", "rectangle", points=[2, 2], center=[0, 0, -0.35], size=[0.8, 0.6], normal=[0, 0, 1],
+                                friction=0.5))
+        self.assertIn("does not move; the laws leave its forces open.", run(legs).stdout)
+        answer = json.loads(run(legs, "--json").stdout)
         self.assertEqual((answer["verdict"], answer["twist"]), ("same_motion", [[0, 0]] * 6))
 
     def test_two_default_pads_take_two_seconds_and_the_progress_grows(self):
-        pads = self.file("pads.toml", "facets = 8\ngravity = [0, 0, -9.81]\n"
-                         "[object]\nmass = 0.1\nbox = [0.04, 0.04, 0.04]\n" + "".join(
-                             f"""[[finger]]
-name = "pad{y > 0}"
-shape = "rectangle"
-center = [0, {y}, 0]
-size = [0.02, 0.02]
-normal = [0, {-50 * y}, 0]
-friction = 1
-grip_force = 20
-""" for y in (0.02, -0.02)))
+        cube = table("", facets=8, gravity=[0, 0, -9.81]) + table("[object]", mass=0.1, box=[0.04, 0.04, 0.04])
+        pads = self.file("pads.toml", cube + "".join(
+            finger(f"pad{y > 0}", "rectangle", center=[0, y, 0], size=[0.02, 0.02], normal=[0, -50 * y, 0], friction=1,
+                   grip_force=20) for y in (0.02, -0.02)))
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         result = run(pads, "--json")
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 6)

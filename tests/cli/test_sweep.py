@@ -5,38 +5,20 @@ import json
 import xml.etree.ElementTree as ElementTree
 
 from tool import SCENES, SOURCE, ToolTest, command, main, unwrapped
+from scene_tables import finger, pusher, table
 
 run = command("sweep")
 # Rubber pads of default points, pushed by a table's edge.
-BLOCK = """facets = 8
-gravity = [0, -9.81, 0]
-[object]
-mass = 0.12
-box = [0.08, 0.04, 0.02]
-[[finger]]
-name = "left"
-shape = "rectangle"
-center = [0, 0, 0.01]
-size = [0.02, 0.01]
-normal = [0, 0, -1]
-friction = 0.8
-grip_force = 20
-[[finger]]
-name = "right"
-shape = "rectangle"
-center = [0, 0, -0.01]
-size = [0.02, 0.01]
-normal = [0, 0, 1]
-friction = 0.8
-grip_force = 20
-[[pusher]]
-name = "edge"
-shape = "line"
-ends = [[-0.04, -0.01, -0.01], [-0.04, -0.01, 0.01]]
-normal = [1, 0, 0]
-friction = 0.4
-acceleration = [0.1, 0, 0]
-"""
+BLOCK = (
+    table("", facets=8, gravity=[0, -9.81, 0]) +
+    table("[object]", mass=0.12, box=[0.08, 0.04, 0.02]) +
+    finger("left", "rectangle", center=[0, 0, 0.01], size=[0.02, 0.01], normal=[0, 0, -1], friction=0.8,
+        grip_force=20) +
+    finger("right", "rectangle", center=[0, 0, -0.01], size=[0.02, 0.01], normal=[0, 0, 1], friction=0.8,
+        grip_force=20) +
+    pusher("edge", "line", ends=[[-0.04, -0.01, -0.01], [-0.04, -0.01, 0.01]], normal=[1, 0, 0], friction=0.4,
+        acceleration=[0.1, 0, 0])
+)
 SVG = "{http://www.w3.org/2000/svg}"
 
 

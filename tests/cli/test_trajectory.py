@@ -3,29 +3,15 @@ import json
 import math
 
 from tool import SOURCE, ToolTest, main, run, unwrapped
+from scene_tables import finger, table
 
 PIVOT = SOURCE / "fixtures/scenes/pivot.toml"
-HELD = """gravity = [0, -9.81, 0]
-[object]
-mass = 0.045
-box = [0.04, 0.04, 0.04]
-[[finger]]
-name = "left"
-shape = "disc"
-center = [0, 0, 0.02]
-radius = 0.005
-normal = [0, 0, -1]
-friction = 0.7
-grip_force = 12
-[[finger]]
-name = "right"
-shape = "disc"
-center = [0, 0, -0.02]
-radius = 0.005
-normal = [0, 0, 1]
-friction = 0.7
-grip_force = 12
-"""
+HELD = (
+    table("", gravity=[0, -9.81, 0]) +
+    table("[object]", mass=0.045, box=[0.04, 0.04, 0.04]) +
+    finger("left", "disc", center=[0, 0, 0.02], radius=0.005, normal=[0, 0, -1], friction=0.7, grip_force=12) +
+    finger("right", "disc", center=[0, 0, -0.02], radius=0.005, normal=[0, 0, 1], friction=0.7, grip_force=12)
+)
 
 
 class Trajectory(ToolTest):

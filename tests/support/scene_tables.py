@@ -1,0 +1,15 @@
+"""Scene files, a table a call."""
+import json
+
+
+def table(header, **keys):
+    """A header and its keys; without a header those of the top."""
+    return "".join(f"{line}\n" for line in [header, *(f"{key} = {json.dumps(value)}" for key, value in keys.items())])
+
+
+def finger(name, shape, **keys):
+    return table("[[finger]]", name=name, shape=shape, **keys)
+
+
+def pusher(name, shape, **keys):
+    return table("[[pusher]]", name=name, shape=shape, **keys)
