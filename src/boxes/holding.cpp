@@ -2,8 +2,8 @@
 // together are a convex set, which grows with friction: corners of least friction decide.
 #include "boxes/box.hpp"
 #include "boxes/settings.hpp"
-#include "hold/grip_statics.hpp"
 #include "lcpush/desktop/hold.hpp"
+#include "solve/grip_statics.hpp"
 #include "solve/sentence.hpp"
 
 #include <algorithm>

@@ -72,11 +72,11 @@ GiveWay read_motion(const SceneFile& file, const GripStatics& statics,
     const GripStatics::Cone& cone = statics.cones()[c];
     const ContactMotion there = motion_at(cone, motion);
     const Index b = file.body_of(cone.point);
-    const bool presses = contacts.empty() || contacts[c].normal > hold_settings.slips;
-    if (presses && there.slips > hold_settings.slips * fastest) {
+    const bool presses = contacts.empty() || contacts[c].normal > statics_settings.slips;
+    if (presses && there.slips > statics_settings.slips * fastest) {
       slips.insert(b);
       slipping.push_back(cone.point);
-    } else if (!presses && there.parts > hold_settings.slips * fastest) {
+    } else if (!presses && there.parts > statics_settings.slips * fastest) {
       opens.insert(b);
     } else {
       stays.insert(b);

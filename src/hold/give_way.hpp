@@ -1,8 +1,8 @@
 // How a grasp gives way: the dual of a statics program is a motion; what slips, opens and yields?
 #pragma once
 
-#include "hold/grip_statics.hpp"
 #include "lcpush/desktop/hold.hpp"
+#include "solve/grip_statics.hpp"
 
 namespace lcpush::desktop {
 

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "hold/give_way.hpp"
-#include "hold/grip_statics.hpp"
 #include "hold/holding_law.hpp"
 #include "hold/load_set.hpp"
+#include "hold/settings.hpp"
+#include "solve/grip_statics.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -77,7 +78,7 @@ public:
         most = most_of(program.emplace(statics_, column, 1, statics_.demand(1), known));
     if (most.ending == Ending::failed) return found;
     const double si = statics_.scales().force / unit;
-    const auto told = [&](double t) { return t > hold_settings.closed ? t * si : 0; };
+    const auto told = [&](double t) { return t > statics_settings.closed ? t * si : 0; };
     found.statics = most.ending == Ending::unlimited ? no_limit : told(-most.value);
     found.lower = found.statics;
     found.upper =
@@ -146,7 +147,7 @@ public:
     study_.is_statics = !statics_.has_pads();
     study_.factor = study_.statics_factor;
     study_.most = study_.statics_most;
-    const double slack = hold_settings.carries;
+    const double slack = statics_settings.carries;
     const bool may_hold = study_.factor <= 1 + slack && study_.most >= 1 - slack;
     if (!std::isnan(study_.factor)) study_.held = may_hold;
     if (study_.is_statics || !(study_.factor < no_limit)) return;
@@ -199,7 +200,8 @@ private:
           unit_of(kind) * unit_wrench(hand_, kind, Vector3<double>(Vector3<double>::Unit(k)), at));
     const std::optional<double> reach = LoadSet(statics_, columns, rays_).least_along_axes();
     if (!reach) return std::nullopt;
-    const double size = std::max({hold_settings.beside * *reach, least_size, hold_settings.flat});
+    const double size =
+        std::max({hold_settings.beside * *reach, least_size, statics_settings.flat});
     return LoadSet(statics_, columns, rays_, size).nearest(nearness);
   }
 };

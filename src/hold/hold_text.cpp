@@ -14,7 +14,7 @@ constexpr const char* units[] = {"N", "N m", "m/s^2"};
 
 std::string grip_text(const HoldStudy& study, double factor) {
   const std::string force =
-      brief(factor * study.grip.force, hold_settings.closed * study.grip.force);
+      brief(factor * study.grip.force, statics_settings.closed * study.grip.force);
   if (study.grip.of_actuator) return "a force of " + force + " " + study.grip.of;
   return force + " N " + study.grip.of;
 }

@@ -47,11 +47,11 @@ double HoldingLaw::least_grip(double bound) {
     return holds(factor, Vector6<double>::Zero()).value_or(false);
   };
   double low = std::isnan(pads_least_) ? bound : std::max(bound, pads_least_);
-  if (low <= hold_settings.closed) return 0;
+  if (low <= statics_settings.closed) return 0;
   if (is_held(low * (1 + hold_settings.same))) return low;
   double step = hold_settings.first_step * std::max(low, hold_settings.least_unit);
   double high = low + step;
-  while (!is_held(high) && high < hold_settings.most_force && !work_.is_used_up()) {
+  while (!is_held(high) && high < statics_settings.most_force && !work_.is_used_up()) {
     low = high;
     step *= 2;
     high = low + step;
@@ -70,7 +70,8 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   if (!asks || !(limit > 0)) return limit;
   if (std::isfinite(limit) && holds(1, (1 - hold_settings.same) * limit * wrench).value_or(false))
     return limit;
-  return searched(wrench, std::isfinite(limit) ? limit : hold_settings.most_force / wrench.norm());
+  return searched(wrench,
+                  std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm());
 }
 
 /// The largest load that is found to hold, a little below most often. Loads in between are taken to

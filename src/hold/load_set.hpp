@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "hold/grip_statics.hpp"
 #include "hold/nearest_boundary.hpp"
+#include "solve/grip_statics.hpp"
 
 namespace lcpush::desktop {
 

@@ -83,7 +83,7 @@ private:
         return std::abs(along.dot(end->point - points_[0]));
       };
       const auto& end = off(ends[0]) > off(ends[1]) ? ends[0] : ends[1];
-      if (!(off(end) > hold_settings.flat * size_) || size_ == 0) {
+      if (!(off(end) > statics_settings.flat * size_) || size_ == 0) {
         best_.direction = along;
         best_.lower = best_.upper = std::max(nearness_(along, 0), nearness_(-along, 0));
         best_.is_flat = true;

@@ -3,7 +3,8 @@
 #include <limits>
 #include <utility>
 
-#include "hold/grip_statics.hpp"
+#include "hold/settings.hpp"
+#include "solve/grip_statics.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -44,8 +45,8 @@ double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<b
     forces[static_cast<std::size_t>(statics.cones()[c].point)] += contacts[c].normal;
   Index gap = 0;
   for (std::size_t i = 0; i < touching.size(); ++i)
-    touching[i] = touching[i] ? forces[i] > hold_settings.slips
-                              : !(end.x[moves + 1 + gap++] > hold_settings.slips);
+    touching[i] = touching[i] ? forces[i] > statics_settings.slips
+                              : !(end.x[moves + 1 + gap++] > statics_settings.slips);
   return end.x[moves] * (question.of_grip ? 1 : statics.scales().force / unit);
 }
 

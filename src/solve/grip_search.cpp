@@ -49,12 +49,11 @@ struct Bracket {
 
 } // namespace
 
-SmallestGrip search_upwards(const Holding<double>& holding, double known,
-                            const Precision& precision, const CountingWatcher& work,
-                            const GripQuestion& holds) {
+SmallestGrip search_upwards(double bound, double load, double known, const Precision& precision,
+                            const CountingWatcher& work, const GripQuestion& holds) {
   SmallestGrip grip;
-  grip.bound = holding.factor;
-  const double unit = std::max(grip.bound, holding.unit / 1000);
+  grip.bound = bound;
+  const double unit = std::max(bound, load / 1000);
   if (!(unit > 0) || holds(grip.bound + nudge * unit) || (grip.bound > 0 && holds(grip.bound))) {
     grip.factor = grip.certain = grip.bound;
     grip.source = GripSource::statics;

@@ -45,9 +45,9 @@ struct Precision {
   double growth; ///< largest excess over the bound that is tried, relative
 };
 
-/// From statics' bound to the law's own factor; `known` is a factor that holds, or 0.
-SmallestGrip search_upwards(const Holding<double>& holding, double known,
-                            const Precision& precision, const CountingWatcher& work,
-                            const GripQuestion& holds);
+/// From statics' bound to the law's own factor; `load`: the factor that makes the grip as large as
+/// the load; `known` is a factor that holds, or 0.
+SmallestGrip search_upwards(double bound, double load, double known, const Precision& precision,
+                            const CountingWatcher& work, const GripQuestion& holds);
 
 } // namespace lcpush::desktop

@@ -6,71 +6,25 @@
 #include <optional>
 
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/grip_statics.hpp"
 #include "solve/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-/// Statics has no round cones: pyramids around them prove a fall, and no smaller grip than theirs
-/// holds.
-SceneFile around_cones(SceneFile file) {
-  if (!file.is_round) return file;
-  const SolveSettings settings;
-  file.facets = settings.nearly_round;
-  for (Body<double>& body :
-       file.bodies) { // a pyramid of friction 1 reaches cos(pi / facets) within
-    const bool is_soft = body.torsion_radius > 0;
-    body.friction /= circle_cosine<double>(1, 2 * (is_soft ? settings.nearly_soft : file.facets));
-  }
-  return file;
-}
-
-/// ask(assembly, memory) of a file's scene.
-template <class Ask> Status ask_statics(const SceneFile& file, const Ask& ask) {
-  const SceneFile around = around_cones(file);
-  Scene<double> scene = around.view();
-  scene.round_cones = {};
-  const AssembledScene assembled(scene);
-  const AssemblySize size = size_of(assembled.scene);
-  SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
-  return ask(assembled.assembly,
-             StudyMemory<double>{span_of(memory.scalars), span_of(memory.integers)});
-}
-
-/// The least factor on the grip that holds the load, infinite if none does; none: not known.
-std::optional<double> least_factor(const SceneFile& file) {
-  Holding<double> holding;
-  const Status status = find_holding(file, holding);
-  if (status == Status::does_not_hold) return std::numeric_limits<double>::infinity();
-  return status == Status::solved ? std::optional<double>(holding.factor) : std::nullopt;
-}
-
-bool carries_load(const SceneFile& file) {
-  return ask_statics(file, [](const auto& assembly, const auto& memory) {
-           return lcpush::carries_load(assembly, memory);
-         }) == Status::solved;
-}
-
 bool statics_proves_fall(const SceneFile& file) {
-  if (carries_load(file)) return false;
-  const std::optional<double> least = least_factor(file);
+  const std::optional<double> least = least_factor(GripStatics(file));
   return least && *least > 1 + SolveSettings().short_of_load;
 }
 
 /// What is left when pushes far stronger than the load are taken back to none need not be a fall,
 /// where statics holds the load with room to spare.
 bool statics_has_room(const SceneFile& file) {
-  const std::optional<double> least = least_factor(file);
+  const std::optional<double> least = least_factor(GripStatics(file));
   return least && *least < 1 - SolveSettings().room;
 }
 
 } // namespace
-
-Status find_holding(const SceneFile& file, Holding<double>& holding) {
-  return ask_statics(file, [&](const auto& assembly, const auto& memory) {
-    return lcpush::find_holding(assembly, memory, holding);
-  });
-}
 
 double load_acceleration(const SceneFile& file, double length) {
   Vector3<double> load = file.gravity + file.object.wrench.head<3>() / file.object.mass;

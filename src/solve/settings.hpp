@@ -24,9 +24,6 @@ struct SolveSettings {
   /// The residual of a sweep's answer is divided by this where the laws refuse it.
   double stricter = 100;
   // Does it hold? (rest_verdict.cpp)
-  /// Facets of statics' pyramids around round cones; a soft point's generators are 30 degrees apart
-  /// between force and twist, as of 12. A hard point's least grip is 8e-5 too small by it.
-  Index nearly_round = 256, nearly_soft = 12;
   /// A load that needs this much more grip falls: what rounding leaves of the least factor.
   double short_of_load = 1e-6;
   /// Statics holds the load with this much of the grip to spare.
@@ -50,5 +47,26 @@ struct SolveSettings {
   /// Of the unit that its closing is measured in: a finger that is slower does not move.
   double hand_moves = 1e-3;
 };
+
+/// Statics as a cone program (grip_statics.cpp). Forces are measured in the scene's largest,
+/// lengths in its grasp's.
+struct StaticsSettings {
+  /// Of all contacts' normal forces together, in the largest force of the scene: what takes more is
+  /// called unlimited. Of fingers that keep their forces the sum is known, and is the limit.
+  double most_force = 1000;
+  double beyond_sum = 1.001; ///< that known sum is not to bind
+  /// A ray is added where it would shorten the dual's slack by more, and enters where it lowers the
+  /// cost by more; rays nearer to each other than that would cost digits.
+  double missing = 1e-11, price = 1e-12;
+  double closed = 1e-9;   ///< of a program's value: its bounds meet
+  Index most_rounds = 60; ///< in which rays are added; the angle's error is squared in each
+  /// From so many rays on, and so many a cone, those without force are dropped.
+  Index most_rays = 48, rays_a_cone = 6;
+  double carries = 1e-9; ///< of the load's part that no force balances: forces are found
+  double flat = 1e-8;    ///< of its size: a set thinner than that has no inside
+  double slips = 1e-6;   ///< of the fastest point of a motion: it moves
+};
+
+constexpr StaticsSettings statics_settings;
 
 } // namespace lcpush::desktop

@@ -1,5 +1,6 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/grip_search.hpp"
+#include "solve/grip_statics.hpp"
 #include "solve/rest_verdict.hpp"
 #include "text/limits.hpp"
 
@@ -24,14 +25,17 @@ SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Counting
   SmallestGrip grip;
   grip.source = GripSource::not_searched;
   if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;
-  Holding<double> holding;
-  Status status = Status::solved;
-  if (file.hand == Hand::locked)
-    holding.unit = load_over_preload(file); // statics lets locked fingers squeeze with any force
-  else
-    status = find_holding(file, holding);
-  if (status == Status::solved) {
-    grip = search_upwards(holding, known, precision, work, holds);
+  std::optional<double> bound = 0;
+  double unit = 0;
+  if (file.hand == Hand::locked) {
+    unit = load_over_preload(file); // statics lets locked fingers squeeze with any force
+  } else {
+    const GripStatics statics(file);
+    unit = statics.unit();
+    bound = least_factor(statics);
+  }
+  if (bound && std::isfinite(*bound)) {
+    grip = search_upwards(*bound, unit, known, precision, work, holds);
     const bool holds_now = known > 0;
     if (!holds_now && grip.factor > 0 && !work.is_used_up())
       grip.more = !holds(1.01 * grip.factor) ? MoreGrip::drops
@@ -39,7 +43,7 @@ SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Counting
                                              : MoreGrip::not_known;
     return grip;
   }
-  grip.source = status == Status::does_not_hold ? GripSource::no_grip : GripSource::not_known;
+  grip.source = bound ? GripSource::no_grip : GripSource::not_known;
   return grip;
 }
 

@@ -61,6 +61,11 @@ class Holding(ToolTest):
         self.assertIn("the grasp holds the object; it holds down to 1.962 N per finger (of 20 N).",
                       self.text(SLIDE_TEXT))
 
+    def test_the_bound_under_round_friction_is_that_of_the_cones(self):
+        answer = self.answer(SLIDE_TEXT.replace("facets = 8", 'facets = "round"'))
+        self.assertAlmostEqual(answer["smallest_grip"], 0.2 * 9.81 / (2 * 0.5), 12)
+        self.assertEqual(answer["smallest_grip_from"], "statics")
+
     def test_a_grasp_that_drops_its_load_says_from_which_force_on_it_would_hold(self):
         weak = scene(pinch(force=1))
         answer = self.answer(weak)

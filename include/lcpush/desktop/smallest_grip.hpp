@@ -59,7 +59,4 @@ SceneFile with_grip(SceneFile file, double factor);
 /// The hand before any push: its fingers alone and at rest, with the actuators that drive one.
 SceneFile hand_at_rest(const SceneFile& file);
 
-/// [T.12] on a file: the least factor on the grip.
-Status find_holding(const SceneFile& file, Holding<double>& holding);
-
 } // namespace lcpush::desktop

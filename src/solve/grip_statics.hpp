@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "dense/simplex.hpp"
-#include "hold/settings.hpp"
 #include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/scene_io.hpp"
+#include "solve/settings.hpp"
 
 namespace lcpush::desktop {
 
@@ -42,6 +42,11 @@ public:
 
   /// b: what the contacts' forces have to be, at `factor` times the grip.
   Eigen::VectorXd demand(double factor) const { return fixed_ - factor * grip_column_; }
+  /// The factor that makes the largest grip force equal to the load; 0: there is no grip.
+  double unit() const {
+    const double grip = grip_column_.head(sum_row_).cwiseAbs().maxCoeff();
+    return grip > 0 ? fixed_.head(sum_row_).cwiseAbs().maxCoeff() / grip : 0;
+  }
   /// The column of the factor on the grip.
   const Eigen::VectorXd& grip_column() const { return grip_column_; }
   /// The column of a wrench at the centre of mass, [N; N m], as the unit of its unknown.
@@ -132,5 +137,8 @@ private:
   Ending approach();
   void drop_idle();
 };
+
+/// The least factor on the grip that holds the load; infinite: proved, none does; none: not known.
+std::optional<double> least_factor(const GripStatics& statics);
 
 } // namespace lcpush::desktop

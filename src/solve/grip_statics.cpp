@@ -1,4 +1,4 @@
-#include "hold/grip_statics.hpp"
+#include "solve/grip_statics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,9 +116,9 @@ void GripStatics::bound_forces() {
     least = std::min(least, works);
   }
   for (Index a = 0; a < actuators; ++a) sum += (fixed_ - grip_column_)[moving_ + a];
-  is_capped_ = !(least > hold_settings.flat);
-  const double most = is_capped_ ? hold_settings.most_force * std::max(1.0, std::abs(sum))
-                                 : hold_settings.beyond_sum * sum / least;
+  is_capped_ = !(least > statics_settings.flat);
+  const double most = is_capped_ ? statics_settings.most_force * std::max(1.0, std::abs(sum))
+                                 : statics_settings.beyond_sum * sum / least;
   if (is_capped_) fixed_[sum_row_] = most;
   grip_column_[sum_row_] = -most;
 }
@@ -168,7 +168,7 @@ bool StaticsProgram::restart() {
   A.col(D_.cols()) = Eigen::VectorXd::Unit(b_.size(), statics_.sum_row()); // slack
   A.rightCols(static_cast<Index>(rays_.size())) = columns(0);
   work_ = work();
-  simplex_.emplace(A, b_, free_, hold_settings.price);
+  simplex_.emplace(A, b_, free_, statics_settings.price);
   return simplex_->find_point() == Simplex::Ending::found;
 }
 
@@ -185,7 +185,7 @@ double StaticsProgram::add_missing(const Eigen::VectorXd& motion) {
     const double speed = slip.norm();
     const double lacks = cone.friction * speed - cone.normal.dot(motion);
     most = std::max(most, lacks);
-    if (lacks > hold_settings.missing) rays_.push_back({i, -slip / speed});
+    if (lacks > statics_settings.missing) rays_.push_back({i, -slip / speed});
   }
   if (rays_.size() > before) simplex_->add(columns(before));
   return most;
@@ -206,7 +206,7 @@ StaticsProgram::Ending StaticsProgram::approach() {
   work_ += program.work();
   if (least.ending == Ending::failed) return Ending::failed;
   motion_ = least.motion;
-  if (least.bound > hold_settings.carries) return Ending::none;
+  if (least.bound > statics_settings.carries) return Ending::none;
   rays_ = program.rays_;
   return restart() ? Ending::found : Ending::failed;
 }
@@ -214,8 +214,8 @@ StaticsProgram::Ending StaticsProgram::approach() {
 /// Programs of many rays cost what they know.
 void StaticsProgram::drop_idle() {
   if (static_cast<Index>(rays_.size()) <=
-      hold_settings.most_rays +
-          hold_settings.rays_a_cone * static_cast<Index>(statics_.cones().size()))
+      statics_settings.most_rays +
+          statics_settings.rays_a_cone * static_cast<Index>(statics_.cones().size()))
     return;
   std::vector<ForceRay> kept = StaticsProgram(statics_, D_, free_, b_).rays_;
   for (std::size_t k = kept.size(); k < rays_.size(); ++k)
@@ -233,7 +233,7 @@ double StaticsProgram::most_force(const Eigen::VectorXd& c, const Eigen::VectorX
   double most = std::abs(b_[sum]);
   for (Index k = 0; k < D_.cols(); ++k) {
     const bool has_cost = k < c.size() && c[k] != 0;
-    most += std::abs(D_(sum, k)) * (has_cost ? 1 + std::abs(x[k]) : hold_settings.most_force);
+    most += std::abs(D_(sum, k)) * (has_cost ? 1 + std::abs(x[k]) : statics_settings.most_force);
   }
   return most;
 }
@@ -243,7 +243,7 @@ StaticsProgram::Optimum StaticsProgram::minimise(const Eigen::VectorXd& c) {
   drop_idle();
   bool is_fresh = false;
   const double unit = c.cwiseAbs().maxCoeff();
-  for (Index round = 0; round < hold_settings.most_rounds; ++round) {
+  for (Index round = 0; round < statics_settings.most_rounds; ++round) {
     const std::size_t known = rays_.size();
     Eigen::VectorXd costs = Eigen::VectorXd::Zero(first_ray() + static_cast<Index>(known));
     costs.head(c.size()) = c;
@@ -263,11 +263,11 @@ StaticsProgram::Optimum StaticsProgram::minimise(const Eigen::VectorXd& c) {
     best.motion = -unit * simplex_->multipliers().head(statics_.rows());
     const double lacks = add_missing(best.motion / unit) * unit;
     best.bound = best.value - lacks * most_force(c, best.x);
-    if (best.value - best.bound <= hold_settings.closed * std::abs(best.value) ||
+    if (best.value - best.bound <= statics_settings.closed * std::abs(best.value) ||
         rays_.size() == known)
       break;
   }
-  if (statics_.is_capped() && best.motion[statics_.sum_row()] > hold_settings.slips * unit)
+  if (statics_.is_capped() && best.motion[statics_.sum_row()] > statics_settings.slips * unit)
     best.ending = Ending::unlimited;
   return best;
 }
@@ -285,6 +285,17 @@ std::vector<StaticsProgram::Contact> StaticsProgram::contacts() const {
       contact.friction += force * statics_.cones()[rays_[k].cone].friction * rays_[k].friction;
   }
   return all;
+}
+
+std::optional<double> least_factor(const GripStatics& statics) {
+  StaticsProgram program(statics, statics.grip_column(), 0, statics.demand(0));
+  using Ending = StaticsProgram::Ending;
+  const Ending ending = program.find_point();
+  if (ending == Ending::none) return std::numeric_limits<double>::infinity();
+  if (ending != Ending::found) return std::nullopt;
+  const StaticsProgram::Optimum least = program.minimise(Eigen::VectorXd::Ones(1));
+  if (least.ending != Ending::found) return std::nullopt;
+  return least.value > statics_settings.closed * statics.unit() ? least.value : 0;
 }
 
 } // namespace lcpush::desktop
