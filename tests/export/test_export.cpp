@@ -18,61 +18,25 @@ using namespace lcpush::test;
 namespace {
 
 // An edge, a soft point, a bilateral pusher, an actuator that turns a body and has inertia.
-const char* const mixed = R"(
-[object]
-mass = 0.5
-box = [0.1, 0.04, 0.02]
-[[finger]]
-name = "pad"
-shape = "rectangle"
-center = [0.01, 0, 0.01]
-normal = [0, 0, -1]
-size = [0.02, 0.01]
-points = [3, 2]
-friction = 0.4
-[[finger]]
-name = "tip"
-shape = "point"
-center = [0, 0, -0.01]
-normal = [0, 0, 1]
-friction = 0.6
-torsion_radius = 0.003
-[[pusher]]
-name = "wall"
-shape = "line"
-ends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]
-points = 3
-normal = [1, 0, 0]
-friction = 0.3
-follow = "bilateral"
-acceleration = [0.1, 0, 0]
-[[actuator]]
-name = "tendon"
-bodies = ["pad", "tip"]
-twists = [[0, 0, -1, 0, 2, 0], [0, 0, 1, 0, 0, 0]]
-force = 20
-inertia = 0.05
-)";
+const std::string mixed =
+    table("[object]", "mass = 0.5; box = [0.1, 0.04, 0.02]") +
+    finger("pad", "rectangle",
+           "center = [0.01, 0, 0.01]; normal = [0, 0, -1]; size = [0.02, 0.01]; points = [3, 2]; "
+           "friction = 0.4") +
+    finger("tip", "point",
+           "center = [0, 0, -0.01]; normal = [0, 0, 1]; friction = 0.6; torsion_radius = 0.003") +
+    pusher("wall", "line",
+           "ends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]; points = 3; normal = [1, 0, 0]; friction "
+           "= 0.3; follow = \"bilateral\"; acceleration = [0.1, 0, 0]") +
+    table("[[actuator]]", "name = \"tendon\"; bodies = [\"pad\", \"tip\"]; twists = [[0, 0, -1, 0, "
+                          "2, 0], [0, 0, 1, 0, 0, 0]]; force = 20; inertia = 0.05");
 
 // A finger with inertia pushes an object that nothing else holds: the one that closes.
-const char* const pushed_free = R"(
-gravity = [0, 0, 0]
-[object]
-mass = 0.5
-box = [0.1, 0.04, 0.02]
-[[finger]]
-name = "thumb"
-shape = "point"
-center = [-0.05, 0.01, 0]
-normal = [1, 0, 0]
-friction = 0.3
-[[actuator]]
-name = "motor"
-bodies = ["thumb"]
-twists = [[2, 0, 0, 0, 0, 0]]
-force = 2
-inertia = 0.3
-)";
+const std::string pushed_free =
+    table("", "gravity = [0, 0, 0]") + table("[object]", "mass = 0.5; box = [0.1, 0.04, 0.02]") +
+    finger("thumb", "point", "center = [-0.05, 0.01, 0]; normal = [1, 0, 0]; friction = 0.3") +
+    table("[[actuator]]", "name = \"motor\"; bodies = [\"thumb\"]; twists = [[2, 0, 0, 0, 0, 0]]; "
+                          "force = 2; inertia = 0.3");
 
 struct Example {
   std::string name;

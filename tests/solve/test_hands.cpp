@@ -11,27 +11,27 @@ using doctest::Approx;
 
 namespace {
 
-std::string finger(const std::string& name, int side, const std::string& force = "20") {
-  const std::string sign = side > 0 ? "" : "-", inward = side > 0 ? "-" : "";
-  return "[[finger]]\nname = \"" + name + "\"\nshape = \"disc\"\ncenter = [0, 0, " + sign +
-         "0.005]\nradius = 0.005\nnormal = [0, 0, " + inward +
-         "1]\nfriction = 0.5\ngrip_force = " + force + "\n";
+std::string disc(const std::string& name, int side, const std::string& force = "20") {
+  const std::string z = side > 0 ? "0.005" : "-0.005", inward = side > 0 ? "-1" : "1";
+  return finger(name, "disc",
+                "center = [0, 0, " + z + "]; radius = 0.005; normal = [0, 0, " + inward +
+                    "]; friction = 0.5; grip_force = " + force);
 }
 
-std::string pusher(const std::string& center, const std::string& normal,
-                   const std::string& motion) {
-  return "[[pusher]]\nname = \"rod\"\nshape = \"point\"\ncenter = " + center +
-         "\nnormal = " + normal + "\nfriction = 0\nacceleration = " + motion + "\n";
+std::string rod(const std::string& center, const std::string& normal, const std::string& motion) {
+  return pusher("rod", "point",
+                "center = " + center + "; normal = " + normal +
+                    "; friction = 0; acceleration = " + motion);
 }
-const std::string along_x = pusher("[-0.05, 0, 0]", "[1, 0, 0]", "[0.1, 0, 0]");
-const std::string along_z = pusher("[0.03, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]");
+const std::string along_x = rod("[-0.05, 0, 0]", "[1, 0, 0]", "[0.1, 0, 0]");
+const std::string along_z = rod("[0.03, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]");
 
 /// A box of 0.2 kg, 100 mm x 30 mm x 10 mm, between two discs of 20 N with normals along z.
 std::string box_text(const std::string& gripper, const std::string& push,
                      const std::string& load = "") {
   return "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" + load +
-         (gripper.empty() ? "" : "[gripper]\njaws = \"" + gripper + "\"\n") + finger("left", 1) +
-         finger("right", -1) + push;
+         (gripper.empty() ? "" : "[gripper]\njaws = \"" + gripper + "\"\n") + disc("left", 1) +
+         disc("right", -1) + push;
 }
 desktop::SceneFile box(const std::string& gripper, const std::string& push,
                        const std::string& load = "") {
@@ -63,10 +63,9 @@ TEST_CASE("two equal opposed fingers are a parallel jaw unless the scene says ot
   const auto hand_of = [&](const std::string& text) {
     return desktop::parse_scene(text, "x.toml").hand;
   };
-  CHECK(hand_of(object + finger("left", 1) + finger("right", -1, "15")) ==
-        desktop::Hand::independent);
-  CHECK(hand_of(object + finger("left", 1)) == desktop::Hand::independent);
-  CHECK(hand_of("pressure = \"even\"\n" + object + finger("left", 1) + finger("right", -1)) ==
+  CHECK(hand_of(object + disc("left", 1) + disc("right", -1, "15")) == desktop::Hand::independent);
+  CHECK(hand_of(object + disc("left", 1)) == desktop::Hand::independent);
+  CHECK(hand_of("pressure = \"even\"\n" + object + disc("left", 1) + disc("right", -1)) ==
         desktop::Hand::independent);
   CHECK(hand_of(object + along_x) == desktop::Hand::fixed);
 }
@@ -74,12 +73,12 @@ TEST_CASE("two equal opposed fingers are a parallel jaw unless the scene says ot
 TEST_CASE("pushed along its normals a hand gives way at 0 N, at 2 F or not at all") {
   Solved independent(box("independent", along_z));
   CHECK(independent.broken().breaking.break_force == Approx(0).epsilon(1e-9));
-  Solved parallel(box("", pusher("[0, 0.01, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
+  Solved parallel(box("", rod("[0, 0.01, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
   const desktop::BreakReport jaw = parallel.broken();
   REQUIRE(jaw.status == Status::solved);
   CHECK(jaw.breaking.break_force > 1); // it tilts about the fingers before it gives way at 40 N
   CHECK(jaw.breaking.break_force <= 40 + 1e-6);
-  Solved locked(box("locked", pusher("[0, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
+  Solved locked(box("locked", rod("[0, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
   CHECK(locked.report().status == Status::ray);
 }
 
@@ -118,10 +117,10 @@ TEST_CASE("a locked hand is refused what it cannot be") {
   refuses("pressure = \"even\"\n" + box_text("locked", along_x), "no point's even share");
   refuses("pressure = \"rigid\"\n" + box_text("locked", along_x), "under pressure = \"pad\" alone");
   refuses("[object]\nmass = 1\nbox = [0.1, 0.03, 0.01]\n[gripper]\njaws = \"locked\"\n" +
-              finger("left", 1) + finger("right", -1, "15"),
+              disc("left", 1) + disc("right", -1, "15"),
           "locked jaws share one grip_force; got 15, but 20");
   refuses("[object]\nmass = 1\nbox = [0.1, 0.03, 0.01]\n[gripper]\njaws = \"locked\"\n" +
-              finger("left", 1),
+              disc("left", 1),
           "locked jaws need exactly two");
 }
 
@@ -149,7 +148,7 @@ TEST_CASE("[T.10] a pusher that moves away or slides along breaks nothing") {
       CAPTURE(static_cast<int>(pressure));
       CAPTURE(static_cast<int>(solver));
       const auto broken = [&](const std::string& motion) {
-        desktop::SceneFile file = box("", pusher("[-0.05, 0, 0]", "[1, 0, 0]", motion));
+        desktop::SceneFile file = box("", rod("[-0.05, 0, 0]", "[1, 0, 0]", motion));
         file.pressure = pressure;
         desktop::PushOptions options;
         options.solver = solver;

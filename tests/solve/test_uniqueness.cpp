@@ -92,37 +92,18 @@ TEST_CASE("[T.9] the vise: found falling, called neither unique nor isolated") {
 
 TEST_CASE(
     "rigid may hold more than pad: a vertex on the line of the push resists with all it has") {
-  const std::string bar = R"(planar = true
-facets = 16
-[gripper]
-jaws = "independent"
-[object]
-mass = 0.2
-box = [0.1, 0.03, 0.01]
-[[finger]]
-name = "left"
-shape = "ring"
-center = [0, 0, 0.005]
-radius = 0.005
-normal = [0, 0, -1]
-friction = 0.5
-grip_force = 20
-[[finger]]
-name = "right"
-shape = "ring"
-center = [0, 0, -0.005]
-radius = 0.005
-normal = [0, 0, 1]
-friction = 0.5
-grip_force = 20
-[[pusher]]
-name = "rod"
-shape = "point"
-center = [-0.05, -0.004, 0]
-normal = [1, 0, 0]
-friction = 0
-acceleration = [0.1, 0, 0]
-)";
+  const std::string bar = table("", "planar = true; facets = 16") +
+                          table("[gripper]", "jaws = \"independent\"") +
+                          table("[object]", "mass = 0.2; box = [0.1, 0.03, 0.01]") +
+                          finger("left", "ring",
+                                 "center = [0, 0, 0.005]; radius = 0.005; normal = [0, 0, -1]; "
+                                 "friction = 0.5; grip_force = 20") +
+                          finger("right", "ring",
+                                 "center = [0, 0, -0.005]; radius = 0.005; normal = [0, 0, 1]; "
+                                 "friction = 0.5; grip_force = 20") +
+                          pusher("rod", "point",
+                                 "center = [-0.05, -0.004, 0]; normal = [1, 0, 0]; friction = 0; "
+                                 "acceleration = [0.1, 0, 0]");
   const double pad = break_force("pressure = \"pad\"\n" + bar);
   CHECK(pad == doctest::Approx(13.9648).epsilon(1e-5));
   CHECK(break_force("pressure = \"even\"\n" + bar) == doctest::Approx(pad).epsilon(1e-6));

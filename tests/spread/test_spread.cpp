@@ -53,69 +53,21 @@ desktop::SceneFile file_of(const OwnedScene<double>& scene) {
 
 // Two frictional fingers on one line through the centre, a frictionless rod through it: 2 mu F + m
 // a.
-const std::string point_fingers = R"(facets = 4
-[object]
-mass = 0.2
-box = [0.1, 0.03, 0.01]
-[[finger]]
-name = "left"
-shape = "point"
-center = [0, 0, 0.005]
-normal = [0, 0, -1]
-friction = 0.5
-grip_force = 10
-[[finger]]
-name = "right"
-shape = "point"
-center = [0, 0, -0.005]
-normal = [0, 0, 1]
-friction = 0.5
-grip_force = 10
-[[pusher]]
-name = "rod"
-shape = "point"
-center = [-0.05, 0, 0]
-normal = [1, 0, 0]
-friction = 0
-acceleration = [0.1, 0, 0]
-)";
+const std::string point_fingers =
+    table("", "facets = 4") + table("[object]", "mass = 0.2; box = [0.1, 0.03, 0.01]") +
+    finger("left", "point",
+           "center = [0, 0, 0.005]; normal = [0, 0, -1]; friction = 0.5; grip_force = 10") +
+    finger("right", "point",
+           "center = [0, 0, -0.005]; normal = [0, 0, 1]; friction = 0.5; grip_force = 10") +
+    pusher("rod", "point",
+           "center = [-0.05, 0, 0]; normal = [1, 0, 0]; friction = 0; acceleration = [0.1, 0, 0]");
 
 // theory 8: a cylinder on a sheet, planar and with single points; mu_s (1 + mu_f) > 1 and
 // m g <= 2 mu_f F < T*: turning and held are both answers.
 std::string bistable(double grip) {
-  return R"(gravity = [0, -9.81, 0]
-planar = true
-[gripper]
-jaws = "parallel"
-[object]
-mass = 0.3
-cylinder_radius = 0.02
-cylinder_length = 0.02
-axis = "z"
-[[finger]]
-name = "left"
-shape = "point"
-center = [-0.02, 0, 0]
-normal = [1, 0, 0]
-friction = 0.3
-grip_force = )" +
-         std::to_string(grip) + R"(
-[[finger]]
-name = "right"
-shape = "point"
-center = [0.02, 0, 0]
-normal = [-1, 0, 0]
-friction = 0.3
-grip_force = )" +
-         std::to_string(grip) + R"(
-[[pusher]]
-name = "sheet"
-shape = "point"
-center = [0, -0.02, 0]
-normal = [0, 1, 0]
-friction = 0.8
-acceleration = [0.2, 0, 0]
-)";
+  return bistable_push("mass = 0.3; cylinder_length = 0.02", 0.02,
+                       "friction = 0.3; grip_force = " + std::to_string(grip),
+                       "friction = 0.8; acceleration = [0.2, 0, 0]");
 }
 
 } // namespace

@@ -44,49 +44,14 @@ double distance(const SpreadReport& one, const SpreadReport& two) {
   return most;
 }
 
-// Three point contacts: a cylinder that a sheet rolls, or slides under.
-std::string bistable_push(double grip) {
-  const std::string force = std::to_string(grip);
-  return R"(gravity = [0, -9.81, 0]
-planar = true
-[gripper]
-jaws = "parallel"
-[object]
-mass = 0.8
-cylinder_radius = 0.03
-cylinder_length = 0.06
-axis = "z"
-[[finger]]
-name = "left"
-shape = "point"
-center = [-0.03, 0, 0]
-normal = [1, 0, 0]
-friction = 0.25
-grip_force = )" +
-         force + R"(
-[[finger]]
-name = "right"
-shape = "point"
-center = [0.03, 0, 0]
-normal = [-1, 0, 0]
-friction = 0.25
-grip_force = )" +
-         force + R"(
-[[pusher]]
-name = "sheet"
-shape = "point"
-center = [0, -0.03, 0]
-normal = [0, 1, 0]
-friction = 0.9
-acceleration = [0.06, 0, 0]
-)";
-}
+const std::string bistable =
+    bistable_push("mass = 0.8; cylinder_length = 0.06", 0.03, "friction = 0.25; grip_force = 17.5",
+                  "friction = 0.9; acceleration = [0.06, 0, 0]");
 
 } // namespace
 
 TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked to enumerate") {
-  const SpreadReport report =
-      spread_of(desktop::parse_scene(bistable_push(17.5), "test.toml"), false);
+  const SpreadReport report = spread_of(desktop::parse_scene(bistable, "test.toml"), false);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
   CHECK(report.verdict == desktop::SpreadVerdict::ambiguous);
@@ -99,7 +64,7 @@ TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked
 }
 
 TEST_CASE("[T.15] breaking: rolling and held, with the twist per unit push") {
-  const SpreadReport report = breaking(bistable_push(17.5));
+  const SpreadReport report = breaking(bistable);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
   CHECK_FALSE(report.falls);

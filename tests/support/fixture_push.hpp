@@ -23,6 +23,32 @@ inline std::string in_pyramids(const std::string& text) {
   return text.find("facets") == std::string::npos ? "facets = 8\n" + text : text;
 }
 
+/// A table of a scene file, its keys between semicolons.
+inline std::string table(const std::string& header, std::string keys) {
+  for (std::size_t at = 0; (at = keys.find("; ", at)) != std::string::npos;)
+    keys.replace(at, 2, "\n");
+  return header + "\n" + keys + "\n";
+}
+inline std::string finger(const std::string& name, const std::string& shape,
+                          const std::string& keys) {
+  return table("[[finger]]", "name = \"" + name + "\"; shape = \"" + shape + "\"; " + keys);
+}
+inline std::string pusher(const std::string& name, const std::string& shape,
+                          const std::string& keys) {
+  return table("[[pusher]]", "name = \"" + name + "\"; shape = \"" + shape + "\"; " + keys);
+}
+/// theory 8: a cylinder that a sheet rolls, or slides under: both are answers.
+inline std::string bistable_push(const std::string& object, double radius, const std::string& grip,
+                                 const std::string& sheet) {
+  const std::string r = std::to_string(radius);
+  return table("", "gravity = [0, -9.81, 0]; planar = true") +
+         table("[gripper]", "jaws = \"parallel\"") +
+         table("[object]", object + "; axis = \"z\"; cylinder_radius = " + r) +
+         finger("left", "point", grip + "; normal = [1, 0, 0]; center = [-" + r + ", 0, 0]") +
+         finger("right", "point", grip + "; normal = [-1, 0, 0]; center = [" + r + ", 0, 0]") +
+         pusher("sheet", "point", sheet + "; normal = [0, 1, 0]; center = [0, -" + r + ", 0]");
+}
+
 inline std::string with(std::string text, const std::string& old, const std::string& replacement) {
   std::size_t at = text.find(old);
   REQUIRE(at != std::string::npos);
