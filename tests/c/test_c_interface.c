@@ -32,11 +32,16 @@ static lcpush_scene leaving(lcpush_body bodies[3]) {
   return scene;
 }
 
+static lcpush_contact contact_at(const lcpush_push* push, int point) {
+  lcpush_contact contact;
+  lcpush_contact_at(push, point, &contact);
+  return contact;
+}
+
 static int near(double x, double y, double tolerance) { return fabs(x - y) <= tolerance; }
 
 static void solves_in_double(void) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
-  lcpush_contact contact;
   double a[6], wrench[6];
   CHECK(push != NULL);
   if (push == NULL) return;
@@ -46,19 +51,17 @@ static void solves_in_double(void) {
   CHECK(lcpush_status_of(push) == LCPUSH_SOLVED);
   lcpush_acceleration(push, a);
   CHECK(near(a[0], 0.1, 1e-12) && near(a[1], 0, 1e-12) && near(a[5], 0, 1e-10));
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(contact.body == 2 && near(contact.normal_force, 20.02, 1e-9));
-  CHECK(contact.mode == LCPUSH_STICK);
-  lcpush_contact_at(push, 0, &contact);
-  CHECK(near(contact.normal_force, 20, 1e-9) && near(contact.friction_force[0], -10, 1e-9));
-  CHECK(contact.mode == LCPUSH_SLIDE);
+  CHECK(contact_at(push, 2).body == 2 && near(contact_at(push, 2).normal_force, 20.02, 1e-9));
+  CHECK(contact_at(push, 2).mode == LCPUSH_STICK);
+  CHECK(near(contact_at(push, 0).normal_force, 20, 1e-9) &&
+        near(contact_at(push, 0).friction_force[0], -10, 1e-9));
+  CHECK(contact_at(push, 0).mode == LCPUSH_SLIDE);
   lcpush_wrench_of(push, 2, wrench);
   CHECK(near(wrench[0], 20.02, 1e-9));
   CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
   CHECK(lcpush_residual(push) < 1e-10);
   CHECK(lcpush_pivots(push) == 0); /* as one expects */
-  lcpush_contact_at(push, 99, &contact);
-  CHECK(contact.normal_force == 0);
+  CHECK(contact_at(push, 99).normal_force == 0);
 }
 
 static void solves_in_float(void) {
@@ -98,19 +101,16 @@ static void obeys_commands(void) {
   const double faster[3][6] = {{0}, {0}, {0.5, 0, 0, 0, 0, 0}};
   lcpush_body bodies[3];
   const lcpush_scene scene = leaving(bodies);
-  lcpush_contact contact;
   CHECK(lcpush_command(push, forces, NULL) == LCPUSH_BAD_INPUT);
   (void)lcpush_describe(push, &slide_d);
   (void)lcpush_solve(push);
   CHECK(lcpush_command(push, forces, faster[0]) == LCPUSH_RUNNING);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(near(contact.normal_force, 30 + 0.2 * 0.5, 1e-9));
+  CHECK(near(contact_at(push, 2).normal_force, 30 + 0.2 * 0.5, 1e-9));
   lcpush_limit(push, 1);
   CHECK(lcpush_describe(push, &scene) == LCPUSH_RUNNING);
   CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_pivots(push) == 1);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(contact.normal_force == 0);
+  CHECK(contact_at(push, 2).normal_force == 0);
 }
 
 /* A limit interrupts: the same pivots as without, one a tick. And commands that change a little
@@ -160,7 +160,6 @@ static void keeps_the_last_answer(void) {
   double forces[2] = {30, 30};
   const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
-  lcpush_contact contact;
   double wrench[6], exact;
   int k;
   CHECK(lcpush_age(push) == -1);
@@ -179,41 +178,34 @@ static void keeps_the_last_answer(void) {
     CHECK(lcpush_age(push) == k && lcpush_residual(push) > 0.1);
     CHECK(lcpush_step(push, 1) == LCPUSH_RUNNING && lcpush_age(push) == k);
     lcpush_wrench_of(push, 2, wrench);
-    lcpush_contact_at(push, 0, &contact);
-    CHECK(near(wrench[0], 20.02, 1e-9) && near(contact.friction_force[0], -10, 1e-9));
-    CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9) && contact.mode == LCPUSH_SLIDE);
+    CHECK(near(wrench[0], 20.02, 1e-9) && near(contact_at(push, 0).friction_force[0], -10, 1e-9));
+    CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9) && contact_at(push, 0).mode == LCPUSH_SLIDE);
   }
   CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_age(push) == 7);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(near(contact.normal_force, 20.02, 1e-9) && contact.body == 2);
+  CHECK(near(contact_at(push, 2).normal_force, 20.02, 1e-9) && contact_at(push, 2).body == 2);
   lcpush_limit(push, 0);
   CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING && lcpush_age(push) == 8);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(contact.mode == LCPUSH_SEPARATE && lcpush_residual(push) < 1e-9);
+  CHECK(contact_at(push, 2).mode == LCPUSH_SEPARATE && lcpush_residual(push) < 1e-9);
   CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING && lcpush_age(push) == -1);
-  lcpush_contact_at(push, 0, &contact);
-  CHECK(contact.normal_force == 0); /* another scene's */
+  CHECK(contact_at(push, 0).normal_force == 0); /* another scene's */
 }
 
 static void commands_go_on_from_the_last_basis(void) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   const double forces[2] = {22, 22};
   const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
-  lcpush_contact contact;
   int cold;
   (void)lcpush_describe(push, &slide_d);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
   cold = lcpush_pivots(push);
   (void)lcpush_command(push, forces, NULL);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_pivots(push) == 0);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(near(contact.normal_force, 22.02, 1e-9));
+  CHECK(near(contact_at(push, 2).normal_force, 22.02, 1e-9));
   /* The pusher leaves: another basis, found from this one. */
   (void)lcpush_command(push, NULL, backwards[0]);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_pivots(push) > 0);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(contact.mode == LCPUSH_SEPARATE);
+  CHECK(contact_at(push, 2).mode == LCPUSH_SEPARATE);
   /* A scene is another story. */
   (void)lcpush_describe(push, &slide_d);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_pivots(push) == cold);
@@ -239,7 +231,6 @@ static void friction_may_be_round(void) {
   lcpush_push* pushes[2];
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
-  lcpush_contact contact;
   lcpush_breaking breaking;
   int i;
   pushes[0] = lcpush_make(memory, sizeof memory, &most);
@@ -256,13 +247,11 @@ static void friction_may_be_round(void) {
     scene.facets = 8;
     CHECK(lcpush_describe(pushes[i], &scene) == LCPUSH_RUNNING);
     CHECK(lcpush_solve(pushes[i]) == LCPUSH_SOLVED);
-    lcpush_contact_at(pushes[i], 2, &contact);
-    CHECK(contact.normal_force < 20);
+    CHECK(contact_at(pushes[i], 2).normal_force < 20);
     scene.facets = LCPUSH_ROUND;
     CHECK(lcpush_describe(pushes[i], &scene) == LCPUSH_RUNNING);
     CHECK(lcpush_solve(pushes[i]) == LCPUSH_SOLVED);
-    lcpush_contact_at(pushes[i], 2, &contact);
-    CHECK(near(contact.normal_force, 20.02, 1e-6));
+    CHECK(near(contact_at(pushes[i], 2).normal_force, 20.02, 1e-6));
   }
   CHECK(lcpush_break_grasp(pushes[0], 2, &breaking) == LCPUSH_SOLVED);
   CHECK(near(breaking.break_force, 20, 1e-6));
@@ -271,14 +260,12 @@ static void friction_may_be_round(void) {
 
 static void sweeps_agree(void) {
   lcpush_push* push = lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &size);
-  lcpush_contact contact;
   CHECK(push != NULL);
   if (push == NULL) return;
   (void)lcpush_describe(push, &slide_d);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
   CHECK(lcpush_sweeps(push) > 0 && lcpush_pivots(push) == 0);
-  lcpush_contact_at(push, 2, &contact);
-  CHECK(near(contact.normal_force, 20.02, 1e-6));
+  CHECK(near(contact_at(push, 2).normal_force, 20.02, 1e-6));
 }
 
 static void even_pressure_spreads(void) {
@@ -292,7 +279,6 @@ static void even_pressure_spreads(void) {
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
   lcpush_push* push = lcpush_make(memory, sizeof memory, &even_size);
-  lcpush_contact contact;
   double wrench[6];
   CHECK(push != NULL);
   if (push == NULL) return;
@@ -307,10 +293,8 @@ static void even_pressure_spreads(void) {
   scene.planar = 1;
   CHECK(lcpush_describe(push, &scene) == LCPUSH_RUNNING);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
-  lcpush_contact_at(push, 1, &contact);
-  CHECK(contact.body == 0 && near(contact.normal_force, 10, 1e-9));
-  lcpush_contact_at(push, 3, &contact);
-  CHECK(contact.body == 2 && near(contact.normal_force, 20.02, 1e-9));
+  CHECK(contact_at(push, 1).body == 0 && near(contact_at(push, 1).normal_force, 10, 1e-9));
+  CHECK(contact_at(push, 3).body == 2 && near(contact_at(push, 3).normal_force, 20.02, 1e-9));
   lcpush_wrench_of(push, 0, wrench);
   CHECK(near(wrench[2], -20, 1e-9));
   CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
@@ -319,8 +303,7 @@ static void even_pressure_spreads(void) {
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
   lcpush_wrench_of(push, 0, wrench);
   CHECK(near(wrench[2], -30, 1e-9));
-  lcpush_contact_at(push, 0, &contact);
-  CHECK(near(contact.normal_force, 15, 1e-9));
+  CHECK(near(contact_at(push, 0).normal_force, 15, 1e-9));
   /* Points are pads of their own already: nothing is kept twice. */
   scene.bodies = slide_d_bodies;
   scene.points = slide_d_points;
@@ -461,7 +444,6 @@ static void refusals_change_nothing(void) {
   const lcpush_riding ridings[3] = {LCPUSH_ON_BODY, 7, LCPUSH_ON_BODY};
   lcpush_push* pushes[2];
   lcpush_breaking breaking;
-  lcpush_contact contact;
   int i, k;
   pushes[0] = lcpush_make(memory_d, sizeof memory_d, &size);
   pushes[1] = lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &size);
@@ -502,8 +484,7 @@ static void refusals_change_nothing(void) {
     CHECK(lcpush_command(push, harder, NULL) == LCPUSH_RUNNING); /* it is the same scene */
     CHECK(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT);
     CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
-    lcpush_contact_at(push, 2, &contact);
-    CHECK(near(contact.normal_force, 30.02, 1e-6));
+    CHECK(near(contact_at(push, 2).normal_force, 30.02, 1e-6));
   }
 }
 
