@@ -5,23 +5,15 @@
 //
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { check_after, check_marks, check_picture, check_pivot } from './checks.mjs';
 import { check_all, open, phone, photograph, wide } from './chromium.mjs';
 import { problems } from './problems.mjs';
-import { run_tool } from './tool.mjs';
-
-const [tool, folder, ...chosen] = process.argv.slice(2);
-if (!tool || !folder) {
-  console.error('usage: node explorer.mjs TOOL OUTPUT_FOLDER [NAME..]');
-  process.exit(2);
-}
-const out = resolve(folder);
-mkdirSync(out, { recursive: true });
+import { chosen, out, run_tool } from './tool.mjs';
 
 const written = (name, words, format) =>
-  run_tool(tool, ['pivots', ...words, '--format', format], join(out, `${name}.${format}`));
+  run_tool(['pivots', ...words, '--format', format], join(out, `${name}.${format}`));
 
 /// Runs in the page: what is compared with the trace, numbers as the trace writes them.
 function offer_state() {

@@ -6,19 +6,11 @@
 //
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { check_all, open, phone, photograph, wide } from './chromium.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
-import { run_tool } from './tool.mjs';
-
-const [tool, folder, ...chosen] = process.argv.slice(2);
-if (!tool || !folder) {
-  console.error('usage: node motion.mjs TOOL OUTPUT_FOLDER [NAME..]');
-  process.exit(2);
-}
-const out = resolve(folder);
-mkdirSync(out, { recursive: true });
+import { chosen, out, run_tool } from './tool.mjs';
 
 const scene = (name, ...more) => ({ name, arguments: [`fixtures/scenes/${name}.toml`, ...more] });
 const problems = [
@@ -28,7 +20,7 @@ const problems = [
 ];
 const most_moments = 151; // drawn on a page
 
-const written = ({ name, arguments: words, ends_early }, format) => run_tool(tool,
+const written = ({ name, arguments: words, ends_early }, format) => run_tool(
   ['move', ...words, '--format', format], join(out, `${name}.${format}`), Boolean(ends_early));
 
 /// What the page shows now.

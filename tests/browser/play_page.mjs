@@ -2,18 +2,12 @@
 // arguments these are.
 import assert from 'node:assert/strict';
 import { execFile, execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, writeFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { open, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
+import { out, tool } from './tool.mjs';
 
-export const [tool, folder, ...chosen] = process.argv.slice(2);
-if (!tool || !folder) {
-  console.error('usage: node playground.mjs TOOL OUTPUT_FOLDER [NAME..]');
-  process.exit(2);
-}
-export const out = resolve(folder);
-mkdirSync(out, { recursive: true });
 export const fixture = (name) => join(root, 'fixtures', 'scenes', `${name}.toml`);
 export const native = (command, path) =>
   spawnSync(tool, [command, path, '--json'], { encoding: 'utf8' }).stdout;

@@ -12,8 +12,9 @@ import { join } from 'node:path';
 import { check_all, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
-import { agrees, chosen, fixture, middle_of, native, native_answers,
-  out, played, settled, state, tool } from './play_page.mjs';
+import { agrees, fixture, middle_of, native, native_answers, played, settled,
+  state } from './play_page.mjs';
+import { chosen, out, tool } from './tool.mjs';
 
 async function random_scenes(browser) {
   const script = join(root, 'tests', 'support');

@@ -6,20 +6,12 @@
 //
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { check_all, phone, photograph, reopen, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
-import { run_tool } from './tool.mjs';
-
-const [tool, folder, ...chosen] = process.argv.slice(2);
-if (!tool || !folder) {
-  console.error('usage: node report.mjs TOOL OUTPUT_FOLDER [NAME..]');
-  process.exit(2);
-}
-const out = resolve(folder);
-mkdirSync(out, { recursive: true });
+import { chosen, out, run_tool } from './tool.mjs';
 
 const scene = (name, ...more) => ({ name, arguments: [`fixtures/scenes/${name}.toml`, ...more] });
 /// A fixture with other words in it.
@@ -59,7 +51,7 @@ const problems = [
 ];
 
 const written = ({ arguments: words, failure }, file, ...more) =>
-  run_tool(tool, ['report', ...words, ...more], file, Boolean(failure));
+  run_tool(['report', ...words, ...more], file, Boolean(failure));
 
 /// Runs in the page: labels in drawings of the grasp that touch something, as sentences. A label is
 /// a group of lines; what it must not touch are the picture's border, other words and outlines.

@@ -44,14 +44,14 @@ double distance(const SpreadReport& one, const SpreadReport& two) {
   return most;
 }
 
-const std::string bistable =
+const std::string rolled_or_held =
     bistable_push("mass = 0.8; cylinder_length = 0.06", 0.03, "friction = 0.25; grip_force = 17.5",
                   "friction = 0.9; acceleration = [0.06, 0, 0]");
 
 } // namespace
 
 TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked to enumerate") {
-  const SpreadReport report = spread_of(desktop::parse_scene(bistable, "test.toml"), false);
+  const SpreadReport report = spread_of(desktop::parse_scene(rolled_or_held, "test.toml"), false);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
   CHECK(report.verdict == desktop::SpreadVerdict::ambiguous);
@@ -64,7 +64,7 @@ TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked
 }
 
 TEST_CASE("[T.15] breaking: rolling and held, with the twist per unit push") {
-  const SpreadReport report = breaking(bistable);
+  const SpreadReport report = breaking(rolled_or_held);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
   CHECK_FALSE(report.falls);
