@@ -6,6 +6,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from tool import SOURCE, command, json_of, main, unwrapped
+from scene_tables import without
 
 run = command("cone")
 SQUARE = SOURCE / "docs/guide/square.toml"
@@ -16,14 +17,6 @@ def square(*changes):
     for old, new in changes:
         assert old in text, old
         text = text.replace(old, new)
-    return text
-
-
-def without(text, *names):
-    for name in names:
-        begin = text.index(f'[[pusher]]\nname = "{name}"')
-        end = text.find("[[pusher]]", begin + 5)
-        text = text[:begin] + (text[end:] if end > 0 else "")
     return text
 
 

@@ -13,6 +13,8 @@ import xml.etree.ElementTree as ElementTree
 from tool import SCENES, SOURCE, ToolTest, command, main, unwrapped
 
 import held_loads
+import scene_tables as tables
+from scene_tables import table
 
 run = command("hold")
 ALL = "--all" in sys.argv
@@ -20,8 +22,7 @@ KINDS = ("force", "moment", "acceleration")
 
 
 def finger(name, center, normal, friction=0.5, **more):
-    keys = {"shape": "point", "center": center, "normal": normal, "friction": friction, **more}
-    return f'[[finger]]\nname = "{name}"\n' + "".join(f"{key} = {json.dumps(value)}\n" for key, value in keys.items())
+    return table("[[finger]]", name=name, **{"shape": "point", "center": center, "normal": normal, "friction": friction, **more})
 
 
 def scene(*parts, gravity=(0, 0, -9.81), mass=0.2, box=(0.04, 0.04, 0.04), top=""):
@@ -203,26 +204,11 @@ class ClosedForms(unittest.TestCase):
 class AlongTheLoad(unittest.TestCase):
     def test_a_force_along_an_oblique_load_is_as_good_as_any(self):
         # Two points of 10 N with friction 0.5 carry 10 N, whichever way the weight points.
-        text = """gravity = [%r, %r, 0]
-[object]
-mass = 0.2
-box = [0.08, 0.04, 0.02]
-[[finger]]
-name = "l"
-shape = "point"
-on = "+z"
-friction = 0.5
-grip_force = 10
-[[finger]]
-name = "r"
-shape = "point"
-on = "-z"
-friction = 0.5
-grip_force = 10
-"""
+        body = table("[object]", mass=0.2, box=[0.08, 0.04, 0.02]) + "".join(
+            tables.finger(name, "point", on=on, friction=0.5, grip_force=10) for name, on in (("l", "+z"), ("r", "-z")))
         for k in range(24):
             x, y = 9 * math.cos(1 + k / 3), 9 * math.sin(1 + k / 3)
-            answer = hold(text % (x, y), "--direction", f"force {x} {y} 0")
+            answer = hold(table("", gravity=[x, y, 0]) + body, "--direction", f"force {x} {y} 0")
             self.assertAlmostEqual(answer["disturbances"][18]["limit"], 8.2, delta=5e-6)
             self.assertAlmostEqual(answer["added_mass"], 10 / 9 - 0.2, delta=1e-6)
 

@@ -6,6 +6,7 @@ import re
 import unittest
 
 from tool import SOURCE, main, run, unwrapped
+from scene_tables import without
 
 SQUARE = SOURCE / "docs/guide/square.toml"
 
@@ -15,14 +16,6 @@ def square(grip=(0.0, 0.0), head=""):
     for z in ("0.005", "-0.005"):
         text = text.replace(f"center = [0, 0, {z}]", f"center = [{grip[0]}, {grip[1]}, {z}]")
     return head + text
-
-
-def without(text, *names):
-    for name in names:
-        begin = text.index(f'[[pusher]]\nname = "{name}"')
-        end = text.find("[[pusher]]", begin + 5)
-        text = text[:begin] + (text[end:] if end > 0 else "")
-    return text
 
 
 def goal(dx, dy, angle):

@@ -6,6 +6,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from tool import SCENES, command, main, unwrapped
+from scene_tables import finger, pusher, table
 
 run = command("move")
 G = 9.81
@@ -86,8 +87,8 @@ class Rolling(unittest.TestCase):
 
 class Ends(unittest.TestCase):
     def test_where_nothing_touches_it_any_more(self):
-        text = ("gravity = [0, -9.81, 0]\n[object]\nmass = 0.1\nbox = [0.02, 0.02, 0.02]\n[[pusher]]\nname = \"wall\"\nshape = \"point\"\n"
-                "center = [-0.01, 0, 0]\nnormal = [1, 0, 0]\nfriction = 0\nvelocity = [0.1, 0, 0]\nuntil = 0.1\n")
+        text = table("", gravity=[0, -9.81, 0]) + table("[object]", mass=0.1, box=[0.02, 0.02, 0.02]) + pusher(
+            "wall", "point", center=[-0.01, 0, 0], normal=[1, 0, 0], friction=0, velocity=[0.1, 0, 0], until=0.1)
         answer = motion(text, "--time", 10)
         self.assertEqual((answer["end"], answer["status"]), ("free", "solved"))
         self.assertLess(answer["time"], 1)
@@ -100,11 +101,10 @@ class Ends(unittest.TestCase):
         self.assertLess(len(events), 5)  # at no force at all, rounding says when
         for event in events:
             self.assertAlmostEqual(event["time"], 0.08274, delta=2e-4)
-        text = "gravity = [0, -9.81, 0]\n[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" + "".join(
-            f'[[finger]]\nname = "{name}"\nshape = "disc"\ncenter = [0, 0, {0.005 * z}]\nradius = 0.005\n'
-            f"normal = [0, 0, {-z}]\nfriction = 0.5\ngrip_force = 20\n" for name, z in (("left", 1), ("right", -1)))
-        text += ('[[pusher]]\nname = "rod"\nshape = "point"\ncenter = [-0.05, 0.01, 0.003]\nnormal = [1, 0, 0]\n'
-                 "friction = 0.3\nvelocity = [0.01, 0, 0]\n")
+        text = table("", gravity=[0, -9.81, 0]) + table("[object]", mass=0.2, box=[0.1, 0.03, 0.01]) + "".join(
+            finger(name, "disc", center=[0, 0, 0.005 * z], radius=0.005, normal=[0, 0, -z], friction=0.5, grip_force=20)
+            for name, z in (("left", 1), ("right", -1)))
+        text += pusher("rod", "point", center=[-0.05, 0.01, 0.003], normal=[1, 0, 0], friction=0.3, velocity=[0.01, 0, 0])
         turns = [motion("facets = 8\n" + text, "--time", 0.1, *words)["frames"][-1]["rotation"][3]
                  for words in ((), ("--tolerance", 1e-5))]
         self.assertAlmostEqual(*turns, delta=1e-5)
@@ -121,9 +121,9 @@ class Pictures(unittest.TestCase):
             for sign in (1, -1):
                 pull, side = [0, 0, 0], [0, 0, 0]
                 pull[axis], side[(axis + 1) % 3] = sign * G, 1
-                text = (f"gravity = {pull}\n[object]\nmass = 0.2\nbox = [0.1, 0.1, 0.1]\n[[pusher]]\nname = \"wall\"\nshape = \"point\"\n"
-                        f"center = {[-0.05 * x for x in side]}\nnormal = {side}\nfriction = 0\n"
-                        f"velocity = {[0.2 * x for x in side]}\n")
+                text = table("", gravity=pull) + table("[object]", mass=0.2, box=[0.1, 0.1, 0.1]) + pusher(
+                    "wall", "point", center=[-0.05 * x for x in side], normal=side, friction=0,
+                    velocity=[0.2 * x for x in side])
                 for form in ("svg", "html"):
                     page = run("-", "--time", 0.2, "--format", form, text=text).stdout
                     path = re.search(r'class="turning" d="([^"]*)"', page).group(1)

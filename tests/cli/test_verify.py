@@ -10,6 +10,8 @@ import sys
 import tempfile
 
 tool, source = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(source / "tests/support"))
+from scene_tables import finger, pusher, table
 scenes = source / "fixtures/scenes"
 folder = tempfile.TemporaryDirectory()
 answer_path = pathlib.Path(folder.name, "answer.json")
@@ -162,13 +164,12 @@ for name in ("straight_slide", "rolling", "tipping"):
     assert report["basis"]["refined"] and report["basis"]["residual"] < max(1e-12, report["residual"]), (name, report)
 
 # A small grip that is missing beside a large one is missing at every tolerance.
-hand = "gravity = [0, 0, -9.81]\n[object]\nmass = 1e-4\nbox = [0.01, 0.01, 0.01]\n[gripper]\njaws = \"independent\"\n"
+hand = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=1e-4, box=[0.01, 0.01, 0.01]) +
+        table("[gripper]", jaws="independent"))
 for name, n, force, friction in (("right", [-1, 0, 0], 1e6, 0), ("left", [1, 0, 0], 1e6, 0),
                                  ("front", [0, 1, 0], 3e-4, 0.5), ("back", [0, -1, 0], 3e-4, 0.5)):
-    hand += (f"[[finger]]\nname = \"{name}\"\nshape = \"point\"\ncenter = {[-0.005 * x for x in n]}\nnormal = {n}\n"
-             f"friction = {friction}\ngrip_force = {force}\n")
-hand += ("[[pusher]]\nname = \"rod\"\nshape = \"point\"\ncenter = [0, 0, -0.005]\nnormal = [0, 0, 1]\nfriction = 0\n"
-         "acceleration = [0, 0, 1]\n")
+    hand += finger(name, "point", center=[-0.005 * x for x in n], normal=n, friction=friction, grip_force=force)
+hand += pusher("rod", "point", center=[0, 0, -0.005], normal=[0, 0, 1], friction=0, acceleration=[0, 0, 1])
 cube = pathlib.Path(folder.name, "cube.toml")
 cube.write_text(hand)
 given = own_answer(cube)

@@ -1,22 +1,13 @@
 """Numbers as the Python package takes and gives them: lists, NumPy's arrays, SciPy's sparse matrices, and
-what only looks like one of these.
-
-    python3 test_arrays.py TOOL LIBRARY SOURCE
-"""
+what only looks like one of these."""
 import array
 import decimal
 import fractions
 import math
-import os
-import pathlib
 import sys
 import unittest
 
-LIBRARY, SOURCE = sys.argv[2], pathlib.Path(sys.argv[3])
-os.environ["LCPUSH_LIBRARY"] = LIBRARY
-sys.path.insert(0, str(SOURCE / "src/python"))
-os.chdir(SOURCE)
-import lcpush  # noqa: E402
+from built import lcpush
 
 SLIDE = "fixtures/scenes/straight_slide.toml"
 M, Q, Z = [[2, 1], [1, 2]], [-5, -6], [4 / 3, 7 / 3]

@@ -1,7 +1,4 @@
-"""The Python package under strain: eight threads, a thousand solves, and Ctrl-C.
-
-    python3 test_endurance.py TOOL LIBRARY SOURCE
-"""
+"""The Python package under strain: eight threads, a thousand solves, and Ctrl-C."""
 import os
 import pathlib
 import resource
@@ -11,12 +8,8 @@ import threading
 import time
 import unittest
 
-TOOL, LIBRARY, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-os.environ["LCPUSH_LIBRARY"] = LIBRARY
-sys.path.insert(0, str(SOURCE / "src/python"))
-os.chdir(SOURCE)
-import lcpush  # noqa: E402
-from lcpush import _library  # noqa: E402
+from built import lcpush
+from lcpush import _library
 
 SLIDE = "fixtures/scenes/straight_slide.toml"
 LONG = ("left.friction", 0.1, 1.0)  # 200,000 values of it take a minute

@@ -1,19 +1,11 @@
 """The Python package and what a person types wrong: every error says what, where, and in the words of
-Python's interface.
-
-    python3 test_mistakes.py TOOL LIBRARY SOURCE
-"""
-import os
+Python's interface."""
 import pathlib
 import sys
 import tempfile
 import unittest
 
-LIBRARY, SOURCE = sys.argv[2], pathlib.Path(sys.argv[3])
-os.environ["LCPUSH_LIBRARY"] = LIBRARY
-sys.path.insert(0, str(SOURCE / "src/python"))
-os.chdir(SOURCE)
-import lcpush  # noqa: E402
+from built import lcpush
 
 M, Q = [[2, 1], [1, 2]], [-5, -6]
 NAN, INFINITY = float("nan"), float("inf")

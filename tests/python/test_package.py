@@ -1,7 +1,4 @@
-"""The Python package: the tool's answers byte for byte, located errors, arrays, words, pictures.
-
-    python3 test_package.py TOOL LIBRARY SOURCE
-"""
+"""The Python package: the tool's answers byte for byte, located errors, arrays, words, pictures."""
 import dataclasses
 import fractions
 import json
@@ -15,12 +12,8 @@ import tempfile
 import tomllib
 import unittest
 
-TOOL, LIBRARY, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
-os.environ["LCPUSH_LIBRARY"] = LIBRARY
-sys.path.insert(0, str(SOURCE / "src/python"))
-os.chdir(SOURCE)
-import lcpush  # noqa: E402
-from lcpush import _toml  # noqa: E402
+from built import TOOL, lcpush
+from lcpush import _toml
 
 SLIDE, JAM, TIPPING = (f"fixtures/scenes/{name}.toml"
                        for name in ("straight_slide", "jam", "tipping"))

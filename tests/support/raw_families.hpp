@@ -91,17 +91,6 @@ inline DenseRaw with_free_split(DenseRaw given) {
   return given;
 }
 
-/// A pair twice, and a pair that is nothing: with q = 0, and with q = 1.
-inline DenseRaw with_idle_pairs(DenseRaw given, Index twice) {
-  grow(given, given.q[twice]);
-  const Index last = given.size() - 1;
-  given.M.col(last) = given.M.col(twice);
-  given.M.row(last) = given.M.row(twice);
-  grow(given, 0);
-  grow(given, 1);
-  return given;
-}
-
 /// Side by side, the second one's q times `scale`.
 inline DenseRaw side_by_side(const DenseRaw& a, const DenseRaw& b, double scale) {
   DenseRaw both = a;

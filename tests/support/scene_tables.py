@@ -13,3 +13,12 @@ def finger(name, shape, **keys):
 
 def pusher(name, shape, **keys):
     return table("[[pusher]]", name=name, shape=shape, **keys)
+
+
+def without(text, *names):
+    """A scene's text without these pushers."""
+    for name in names:
+        begin = text.index(f'[[pusher]]\nname = "{name}"')
+        end = text.find("[[pusher]]", begin + 5)
+        text = text[:begin] + (text[end:] if end > 0 else "")
+    return text
