@@ -108,19 +108,22 @@ void GripStatics::add_cones(Index b, Index point, double sign) {
 /// Where every contact's force works on the actuators, their forces bound it.
 void GripStatics::bound_forces() {
   const Index actuators = sum_row_ - moving_;
-  double least = 1, sum = 0;
+  double least = 1;
   for (const Cone& cone : cones_) {
     double works = cone.normal.segment(moving_, actuators).sum();
     for (Index k = 0; k < cone.directions.cols(); ++k)
       works -= cone.friction * std::abs(cone.directions.col(k).segment(moving_, actuators).sum());
     least = std::min(least, works);
   }
-  for (Index a = 0; a < actuators; ++a) sum += (fixed_ - grip_column_)[moving_ + a];
+  const double given = fixed_.segment(moving_, actuators).sum();
+  const double grip = -grip_column_.segment(moving_, actuators).sum();
   is_capped_ = !(least > statics_settings.flat);
-  const double most = is_capped_ ? statics_settings.most_force * std::max(1.0, std::abs(sum))
-                                 : statics_settings.beyond_sum * sum / least;
-  if (is_capped_) fixed_[sum_row_] = most;
-  grip_column_[sum_row_] = -most;
+  const double most = statics_settings.most_force * std::max(1.0, std::abs(given + grip));
+  const auto bound = [&](double part) {
+    return is_capped_ ? most : statics_settings.beyond_sum * part / least;
+  };
+  fixed_[sum_row_] = bound(given);
+  grip_column_[sum_row_] = -bound(grip);
 }
 
 Eigen::VectorXd GripStatics::wrench_column(const Vector6<double>& wrench) const {

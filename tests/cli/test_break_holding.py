@@ -66,6 +66,14 @@ class Holding(ToolTest):
         self.assertAlmostEqual(answer["smallest_grip"], 0.2 * 9.81 / (2 * 0.5), 12)
         self.assertEqual(answer["smallest_grip_from"], "statics")
 
+    def test_a_pusher_that_keeps_its_force_is_a_load(self):
+        jack = pusher("jack", "point", center=[0, -0.015, 0], normal=[0, 1, 0], friction=0, normal_force=15)
+        text = scene(pinch(), jack) + "normal_force = 1e-6\n"  # of the rod, which rubs along the box from below
+        text = text.replace("[-0.05, 0, 0]", "[0, -0.015, 0.001]").replace("[1, 0, 0]", "[0, 1, 0]")
+        answer = self.answer(text, "--pusher", "rod")
+        self.assertAlmostEqual(answer["smallest_grip_at_rest"], 15 - 1.962, 4)
+        self.assertEqual(answer["smallest_grip_at_rest_from"], "statics")
+
     def test_a_grasp_that_drops_its_load_says_from_which_force_on_it_would_hold(self):
         weak = scene(pinch(force=1))
         answer = self.answer(weak)
