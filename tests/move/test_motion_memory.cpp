@@ -1,10 +1,9 @@
 // What a motion needs more than its first instant does.
 #include "lcpush/desktop/move.hpp"
 
-#include <doctest/doctest.h>
+#include "support/fixture_push.hpp"
 
 #include <cmath>
-#include <string>
 
 using namespace lcpush;
 using namespace lcpush::desktop;
@@ -24,19 +23,16 @@ TEST_CASE("under even pressure a motion goes on when rounding has tilted the obj
 
 TEST_CASE("pads of even pressure follow a face that tilts, however many they are") {
   // Nothing resists the tilt; a pad is a point, and has an actuator of its own.
-  const auto finger = [](const std::string& name, const std::string& z, const std::string& n) {
-    return "[[finger]]\nname = \"" + name + "\"\nshape = \"ring\"\ncenter = [0, 0, " + z +
-           "]\nradius = 0.005\npoints = 40\nnormal = [0, 0, " + n +
-           "]\nfriction = 0.5\ngrip_force = 20\n";
-  };
-  const SceneFile file =
-      parse_scene("pressure = \"even\"\ngravity = [0, -9.81, 0]\n[object]\n"
-                  "mass = 0.2\nbox = [0.1, 0.03, 0.01]\n" +
-                      finger("left", "0.005", "-1") + finger("right", "-0.005", "1") +
-                      "[[pusher]]\nname = \"rod\"\nshape = \"point\"\n"
-                      "center = [-0.05, 0.005, 0.002]\nnormal = [1, 0, 0]\n"
-                      "friction = 0.3\nvelocity = [0.01, 0, 0]\n",
-                  "s.toml", Strokes::all);
+  const std::string pad = "radius = 0.005; points = 40; friction = 0.5; grip_force = 20; ";
+  const SceneFile file = parse_scene(
+      test::table("", "pressure = \"even\"; gravity = [0, -9.81, 0]") +
+          test::table("[object]", "mass = 0.2; box = [0.1, 0.03, 0.01]") +
+          test::finger("left", "ring", pad + "center = [0, 0, 0.005]; normal = [0, 0, -1]") +
+          test::finger("right", "ring", pad + "center = [0, 0, -0.005]; normal = [0, 0, 1]") +
+          test::pusher("rod", "point",
+                       "center = [-0.05, 0.005, 0.002]; normal = [1, 0, 0]; friction = 0.3; "
+                       "velocity = [0.01, 0, 0]"),
+      "s.toml", Strokes::all);
   MoveOptions options;
   options.time = 0.05;
   options.step = 0.001;

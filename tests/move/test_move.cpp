@@ -34,28 +34,32 @@ double turned_z(const MotionReport& report) {
 
 /// A bar in two four-point pads; gravity across the push.
 std::string gripped_bar(double grip_force, const std::string& more) {
-  const std::string pad = "shape = \"ring\"\nradius = 0.005\npoints = 4\nfriction = 0.7\n"
-                          "grip_force = " +
-                          std::to_string(grip_force) + "\n";
-  return "gravity = [0, -9.81, 0]\n[object]\nmass = 0.045\nbox = [0.1, 0.03, 0.01]\n"
-         "[[finger]]\nname = \"left\"\ncenter = [0.02, 0, 0.005]\nnormal = [0, 0, -1]\n" +
-         pad + "[[finger]]\nname = \"right\"\ncenter = [0.02, 0, -0.005]\nnormal = [0, 0, 1]\n" +
-         pad + more;
+  const std::string pad =
+      "radius = 0.005; points = 4; friction = 0.7; grip_force = " + std::to_string(grip_force) +
+      "; ";
+  return test::table("", "gravity = [0, -9.81, 0]") +
+         test::table("[object]", "mass = 0.045; box = [0.1, 0.03, 0.01]") +
+         test::finger("left", "ring", pad + "center = [0.02, 0, 0.005]; normal = [0, 0, -1]") +
+         test::finger("right", "ring", pad + "center = [0.02, 0, -0.005]; normal = [0, 0, 1]") +
+         more;
 }
 
-const std::string wall = "[[pusher]]\nname = \"wall\"\nshape = \"line\"\n"
-                         "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]\nnormal = [1, 0, 0]\n"
-                         "friction = 0.3\nvelocity = [0.01, 0, 0]\n";
+const std::string wall =
+    test::pusher("wall", "line",
+                 "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]; normal = [1, 0, 0]; "
+                 "friction = 0.3; velocity = [0.01, 0, 0]");
 
 /// A bar that turns about a pin, two points without torsion, pushed up at x = -0.04.
 const std::string pinned =
-    "planar = true\n[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n"
-    "[[finger]]\nname = \"left\"\nshape = \"point\"\ncenter = [0, 0, 0.005]\nnormal = [0, 0, -1]\n"
-    "friction = 0.9\ngrip_force = 30\n"
-    "[[finger]]\nname = \"right\"\nshape = \"point\"\ncenter = [0, 0, -0.005]\n"
-    "normal = [0, 0, 1]\nfriction = 0.9\ngrip_force = 30\n"
-    "[[pusher]]\nname = \"pin\"\nshape = \"point\"\ncenter = [-0.04, -0.015, 0]\n"
-    "normal = [0, 1, 0]\nfriction = 0\nvelocity = [0, 0.02, 0]\n";
+    test::table("", "planar = true") +
+    test::table("[object]", "mass = 0.2; box = [0.1, 0.03, 0.01]") +
+    test::finger("left", "point",
+                 "center = [0, 0, 0.005]; normal = [0, 0, -1]; friction = 0.9; grip_force = 30") +
+    test::finger("right", "point",
+                 "center = [0, 0, -0.005]; normal = [0, 0, 1]; friction = 0.9; grip_force = 30") +
+    test::pusher("pin", "point",
+                 "center = [-0.04, -0.015, 0]; normal = [0, 1, 0]; friction = 0; "
+                 "velocity = [0, 0.02, 0]");
 
 } // namespace
 

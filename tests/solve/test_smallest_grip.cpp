@@ -15,15 +15,14 @@ constexpr desktop::Solver all_solvers[] = {desktop::Solver::lemke, desktop::Solv
 /// Two points pinch a block of 1 g, which a rod touches at its side.
 desktop::SceneFile pinch(double friction, double grip, double gravity, Pressure pressure,
                          const std::string& gripper = "[gripper]\njaws = \"independent\"\n") {
-  const auto finger = [&](const std::string& name, const std::string& z, const std::string& n) {
-    return "[[finger]]\nname = \"" + name + "\"\nshape = \"point\"\ncenter = [0, 0, " + z +
-           "]\nnormal = [0, 0, " + n + "]\nfriction = 0\ngrip_force = 1\n";
-  };
+  const std::string tip = "friction = 0; grip_force = 1; ";
   desktop::SceneFile file = desktop::parse_scene(
-      "[object]\nmass = 0.001\nbox = [0.1, 0.03, 0.01]\n" + finger("left", "0.005", "-1") +
-          finger("right", "-0.005", "1") + gripper +
-          "[[pusher]]\nname = \"rod\"\nshape = \"point\"\ncenter = [-0.05, 0, 0]\n"
-          "normal = [1, 0, 0]\nfriction = 0\nacceleration = [0.1, 0, 0]\n",
+      table("[object]", "mass = 0.001; box = [0.1, 0.03, 0.01]") +
+          finger("left", "point", tip + "center = [0, 0, 0.005]; normal = [0, 0, -1]") +
+          finger("right", "point", tip + "center = [0, 0, -0.005]; normal = [0, 0, 1]") + gripper +
+          pusher("rod", "point",
+                 "center = [-0.05, 0, 0]; normal = [1, 0, 0]; friction = 0; "
+                 "acceleration = [0.1, 0, 0]"),
       "test.toml");
   file.gravity = {0, -gravity, 0};
   file.pressure = pressure;

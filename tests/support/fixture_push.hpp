@@ -23,11 +23,11 @@ inline std::string in_pyramids(const std::string& text) {
   return text.find("facets") == std::string::npos ? "facets = 8\n" + text : text;
 }
 
-/// A table of a scene file, its keys between semicolons.
+/// A table of a scene file, its keys between semicolons; without a header those of the top.
 inline std::string table(const std::string& header, std::string keys) {
   for (std::size_t at = 0; (at = keys.find("; ", at)) != std::string::npos;)
     keys.replace(at, 2, "\n");
-  return header + "\n" + keys + "\n";
+  return (header.empty() ? "" : header + "\n") + keys + "\n";
 }
 inline std::string finger(const std::string& name, const std::string& shape,
                           const std::string& keys) {

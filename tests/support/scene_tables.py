@@ -4,7 +4,8 @@ import json
 
 def table(header, **keys):
     """A header and its keys; without a header those of the top."""
-    return "".join(f"{line}\n" for line in [header, *(f"{key} = {json.dumps(value)}" for key, value in keys.items())])
+    lines = [f"{key} = {json.dumps(value)}" for key, value in keys.items()]
+    return "".join(f"{line}\n" for line in ([header] if header else []) + lines)
 
 
 def finger(name, shape, **keys):
