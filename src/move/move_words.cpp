@@ -77,8 +77,10 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
   if (report.status == Status::ray)
     return "until it jams, after " + after +
            ": the contacts squeeze it, and no forces let it go on";
-  return "until a step has no answer (" + std::string(status_text(report.status)) + "), after " +
-         after + squeeze_words(squeeze);
+  const bool has_reason = report.reason != Reason::none;
+  const char* why = has_reason ? reason_text(report.reason) : status_text(report.status);
+  return "until a step has no answer (" + std::string(why) + "), after " + after +
+         squeeze_words(squeeze);
 }
 
 const char* touch_verb(Touch from, Touch to) {

@@ -136,6 +136,31 @@ class Move(unittest.TestCase):
             self.assertEqual(page.count("</script>"), 2)
             self.assertNotIn("<b>&", page)
 
+    def test_wide_pads_go_on_where_rounding_tilts_them(self):
+        # Two pads and an edge each hold the block's turn about y: a gap that differs by 1e-14 m along
+        # the edge may not say which of its points presses, nor may pads settle finer than that.
+        pad = 'shape = "rectangle"\nsize = ["20 mm", "10 mm"]\nfriction = {}\ngrip_force = "20 N"\n'
+        block = """gravity = [0, -9.81, 0]
+[object]
+mass = "{} g"
+box = ["80 mm", "40 mm", "20 mm"]
+[[pusher]]
+name = "edge"
+on = "-x"
+shape = "line"
+along = "z"
+center = ["{} mm", 0]
+friction = {}
+acceleration = [0.1, 0, 0]
+"""
+        for mass, center, friction, pads in ((120, -10, 0.4, 0.8), (161.6, 2.875, 0.3, 0.52),
+                                             (133.7, -14.738, 0.75, 0.757), (386.9, -9.214, 0.61, 0.62)):
+            text = block.format(mass, center, friction) + "".join(
+                f'[[finger]]\nname = "at {face}"\non = "{face}"\n' + pad.format(pads) for face in ("+z", "-z"))
+            motion = json.loads(run("-", "--time", 0.2, "--json", text=text).stdout)
+            self.assertEqual((motion["end"], motion["by_pyramids"]), ("time", 0), text)
+            self.assertLess(motion["steps"], 300)
+
     def test_ends_where_it_is_told_to(self):
         printed, code = answer(SLIDE, "--stop-after", 0.0123)
         self.assertEqual((printed["end"], code), ("distance", 0))

@@ -82,6 +82,7 @@ private:
   PressureRun run_{};
   Phase phase_ = Phase::literal;
   Index stiff_starts_ = 0, fine_ = 0;     // that have been made
+  S violation_{0};                        // of the last round that was solved
   bool warm_ = false, restarted_ = false; // this round
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
@@ -105,6 +106,7 @@ private:
   Status begin_pads(Phase phase) {
     phase_ = phase;
     schedule_.begin(options_);
+    violation_ = Eigen::NumTraits<S>::highest();
     const bool goes_on = phase == Phase::soft_pads && options_.goes_on;
     warm_ = goes_on || phase == Phase::stiff_pads;
     if (!goes_on) pad_preload(assembly_, memory_);
@@ -128,7 +130,7 @@ private:
     if (status != Status::solved) return end_pads(status);
     const S violation = detail::pad_violation(assembly_, memory_);
     detail::take_pressure(assembly_, memory_);
-    const bool is_pressed = violation <= options_.tolerance;
+    const bool is_pressed = violation <= options_.tolerance || is_rounding(violation);
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
     if (is_pressed && is_settled && !refines(violation)) return Status::solved;
@@ -140,6 +142,13 @@ private:
     else
       schedule_.fall();
     return next_round();
+  }
+  /// Is asked for more than the law needs, and as little left as the round before left? A stiffer
+  /// pad makes no less of that, and its pivots go astray. Notes the violation.
+  bool is_rounding(const S& violation) {
+    const S before = violation_;
+    violation_ = violation;
+    return violation <= Tolerances<S>().settled && !(violation < before / S(2));
   }
   /// Is a settled answer to be settled more finely? Round friction always. Counts how often.
   bool refines(const S& violation) {

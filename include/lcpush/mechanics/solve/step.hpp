@@ -164,6 +164,7 @@ private:
   S deepest(const S& h, bool& missed) const;
   S loosest(const S& h) const;
   void straight_gaps();
+  void level_gaps();
   void bend_gaps(const S& h, Index times);
   bool leaps(const S& h) const;
   void commit(const S& h);
@@ -260,7 +261,8 @@ Status TimeStepper<S, Pivots>::solve_rounds(int attempt, bool finely) {
     run_.rounds += run.rounds;
     run_.pivots += run.pivots;
     run_.cold_restarts += run.cold_restarts;
-    run_.reason = run.reason;
+    const bool is_unsettled = status == Status::numerical_breakdown && run.reason == Reason::none;
+    run_.reason = is_unsettled ? Reason::unsettled : run.reason;
     if (status != Status::solved) return status;
   }
   Answer<S>& answer = m_.work.answer;

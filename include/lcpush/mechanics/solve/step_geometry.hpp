@@ -156,6 +156,18 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::straight_gaps() {
     const S gap = settled(m_.true_gaps[k], pressed);
     m_.gaps[k] = holds || gap > S(0) ? gap : S(0);
   }
+  level_gaps();
+}
+
+/// Points of a body whose gaps differ by rounding close together: how they share its force is the
+/// pressure law's to say.
+template <class S, class Pivots> void TimeStepper<S, Pivots>::level_gaps() {
+  for (const Body<S>& body : present_.bodies) {
+    S least = Eigen::NumTraits<S>::highest();
+    for (const Index i : points_of(body)) least = Eigen::numext::mini(least, m_.gaps[i]);
+    for (const Index i : points_of(body))
+      if (m_.gaps[i] - least <= penetration_tolerance()) m_.gaps[i] = least;
+  }
 }
 
 /// The gaps less what a straight step misses by: those that its end will have, not its tangent.
@@ -178,6 +190,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S&
     const S change = (is_inside ? bent : settled(bent)) - m_.gaps[k];
     m_.gaps[k] += only_closer ? Eigen::numext::mini(change, S(0)) : S(part * change);
   }
+  level_gaps();
 }
 
 /// The closing speeds at the step's end; of an actuator whose points have one each, their mean.
