@@ -80,7 +80,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
       contact.torsion += turning.torque;
     }
     if (g > 0) contact.slip = z[layout.slip_index(i)] * scales.acceleration;
-    if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();
+    fastest = Eigen::numext::maxi(fastest, S(contact.acceleration.norm()));
   }
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
   // rounding leaves of the loads, or of the twists whose difference it is, there is none at all.
@@ -89,7 +89,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   const bool is_step = scene.clearances.size > 0;
   const S noise = is_step ? Tolerances<S>().tie : ModelSettings<S>::motion_noise();
   const S rounding = noise * (scales.acceleration + own) / tolerance;
-  const S unit = fastest > rounding ? fastest : rounding;
+  const S unit = Eigen::numext::maxi(fastest, rounding);
   const ContactMargins<S> margins{S(tolerance * scales.force), S(tolerance * unit)};
   for (Index i = 0; i < layout.points; ++i) {
     ContactAnswer<S>& contact = answer.contacts[i];

@@ -119,7 +119,10 @@ private:
     return begin_solver(warm_);
   }
   Status next_round() {
-    if (!schedule_.has_next()) return end_pads(Status::numerical_breakdown, Reason::unsettled);
+    if (!schedule_.has_next()) {
+      run_.reason = Reason::unsettled;
+      return end_pads(Status::numerical_breakdown);
+    }
     warm_ = true;
     return begin_round();
   }
@@ -146,9 +149,9 @@ private:
   /// Is asked for more than the law needs, and as little left as the round before left? A stiffer
   /// pad makes no less of that, and its pivots go astray. Notes the violation.
   bool is_rounding(const S& violation) {
-    const S before = violation_;
+    const bool stays = violation + violation >= violation_;
     violation_ = violation;
-    return violation <= Tolerances<S>().settled && !(violation < before / S(2));
+    return stays && violation <= Tolerances<S>().settled;
   }
   /// Is a settled answer to be settled more finely? Round friction always. Counts how often.
   bool refines(const S& violation) {
@@ -156,10 +159,9 @@ private:
     return !is_fine && fine_++ < options_.fine_rounds;
   }
   /// The pads have failed.
-  Status end_pads(Status status, Reason reason = Reason::none) {
+  Status end_pads(Status status) {
     if (phase_ == Phase::soft_pads && status == Status::bad_input) return status;
     if (phase_ == Phase::soft_pads || stiff_starts_ < options_.stiff_starts) return begin_literal();
-    if (reason != Reason::none) run_.reason = reason;
     return Status::numerical_breakdown;
   }
 
