@@ -212,7 +212,8 @@ std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
   case MotionKind::roll:
   case MotionKind::turn: break;
   }
-  return (phase.kind == MotionKind::roll ? "rolls " : "turns ") + degrees(angle) + about +
+  const char* verb = phase.kind == MotionKind::roll ? rolling_verb(file) : "turns";
+  return verb + (" " + degrees(angle)) + about +
          (goes ? " and goes " + millimetres(path) + along : "");
 }
 

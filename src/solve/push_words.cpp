@@ -34,7 +34,9 @@ std::string motion_words(const SceneFile& file, const RunReport& report) {
     return "slides: " + number(motion.translation) + " m/s^2 along " +
            direction_words(motion.direction);
   case MotionKind::pivot: text = "pivots" + in_grip + ": "; break;
-  case MotionKind::roll: text = "rolls on the surface that carries it: "; break;
+  case MotionKind::roll:
+    text = std::string(rolling_verb(file)) + " on the surface that carries it: ";
+    break;
   case MotionKind::turn: text = "slides and turns: "; break;
   }
   text += number(motion.rotation) + " rad/s^2 about the axis " + direction_words(motion.axis) +

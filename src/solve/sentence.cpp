@@ -80,7 +80,7 @@ std::string motion_phrase(const SceneFile& file, const RunReport& report) {
   case MotionKind::rest: return "does not move" + in_grip;
   case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
   case MotionKind::pivot: return "pivots " + turn + in_grip;
-  case MotionKind::roll: return "rolls " + turn;
+  case MotionKind::roll: return rolling_verb(file) + (" " + turn);
   case MotionKind::turn: break;
   }
   if (motion.pitch != 0) return "turns " + turn + " and advances along it";
@@ -127,6 +127,10 @@ std::string idle_phrase(const SceneFile& file, const BreakReport& report) {
 }
 
 } // namespace
+
+const char* rolling_verb(const SceneFile& file) {
+  return file.shape.kind == ObjectShape::Kind::box ? "tips" : "rolls";
+}
 
 std::string turn_phrase(const Vector3<double>& axis) {
   const Index k = axis_along(axis);

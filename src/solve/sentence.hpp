@@ -11,6 +11,9 @@ namespace lcpush::desktop {
 /// "the box", "the cylinder", "the object".
 std::string object_name(const SceneFile& file);
 
+/// What turns over where it sticks to what carries it: "rolls"; of a box "tips".
+const char* rolling_verb(const SceneFile& file);
+
 /// "counter-clockwise about z", seen from the axis' tip; by its direction if it is no axis.
 std::string turn_phrase(const Vector3<double>& axis);
 

@@ -138,7 +138,7 @@ class Move(unittest.TestCase):
 
     def test_wide_pads_go_on_where_rounding_tilts_them(self):
         # Two pads and an edge each hold the block's turn about y: a gap that differs by 1e-14 m along
-        # the edge may not say which of its points presses, nor may pads settle finer than that.
+        # the edge may not say which of its points presses.
         pad = 'shape = "rectangle"\nsize = ["20 mm", "10 mm"]\nfriction = {}\ngrip_force = "20 N"\n'
         block = """gravity = [0, -9.81, 0]
 [object]

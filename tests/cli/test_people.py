@@ -153,6 +153,24 @@ class People(unittest.TestCase):
             self.assertIn(f"the {thing} {verb}", unwrapped(result.stdout))
         self.assertEqual(run("new", "box", "--push", "roll").returncode, 2)
 
+    def test_a_box_tips_where_a_cylinder_rolls(self):
+        for shape, verb in (("box = [0.1, 0.1, 0.1]", "tips"),
+                            ("cylinder_radius = 0.05\ncylinder_length = 0.1", "rolls")):
+            text = f"""planar = true
+gravity = [0, -9.81, 0]
+[object]
+mass = 1
+{shape}
+[[pusher]]
+name = "cart"
+points = [[0, -0.05, 0]]
+normal = [0, 1, 0]
+friction = 0.5
+acceleration = [0.8, 0, 0]
+"""
+            self.assertIn(f" {verb} counter-clockwise about z", unwrapped(run("solve", "-", text=text).stdout))
+            self.assertIn(f" {verb} ", run("move", "-", "--time", 0.1, text=text).stdout)
+
     def test_what_other_programs_write_is_understood_or_named(self):
         self.assertEqual(run("solve", "-", data=b"\xef\xbb\xbf" + SLIDE.read_bytes()).returncode, 0)
         comma = SLIDE.read_text().replace("friction = 0.3", "friction = 0,3")

@@ -82,7 +82,6 @@ private:
   PressureRun run_{};
   Phase phase_ = Phase::literal;
   Index stiff_starts_ = 0, fine_ = 0;     // that have been made
-  S violation_{0};                        // of the last round that was solved
   bool warm_ = false, restarted_ = false; // this round
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
@@ -106,7 +105,6 @@ private:
   Status begin_pads(Phase phase) {
     phase_ = phase;
     schedule_.begin(options_);
-    violation_ = Eigen::NumTraits<S>::highest();
     const bool goes_on = phase == Phase::soft_pads && options_.goes_on;
     warm_ = goes_on || phase == Phase::stiff_pads;
     if (!goes_on) pad_preload(assembly_, memory_);
@@ -133,7 +131,7 @@ private:
     if (status != Status::solved) return end_pads(status);
     const S violation = detail::pad_violation(assembly_, memory_);
     detail::take_pressure(assembly_, memory_);
-    const bool is_pressed = violation <= options_.tolerance || is_rounding(violation);
+    const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
     if (is_pressed && is_settled && !refines(violation)) return Status::solved;
@@ -146,16 +144,9 @@ private:
       schedule_.fall();
     return next_round();
   }
-  /// Is asked for more than the law needs, and as little left as the round before left? A stiffer
-  /// pad makes no less of that, and its pivots go astray. Notes the violation.
-  bool is_rounding(const S& violation) {
-    const bool stays = violation + violation >= violation_;
-    violation_ = violation;
-    return stays && violation <= Tolerances<S>().settled;
-  }
-  /// Is a settled answer to be settled more finely? Round friction always. Counts how often.
+  /// Is a settled answer to be settled more finely? Counts how often.
   bool refines(const S& violation) {
-    const bool is_fine = violation <= options_.finest && !friction_.is_round();
+    const bool is_fine = Eigen::numext::maxi(violation, friction_.distance()) <= options_.finest;
     return !is_fine && fine_++ < options_.fine_rounds;
   }
   /// The pads have failed.

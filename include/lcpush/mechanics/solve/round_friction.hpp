@@ -39,9 +39,10 @@ public:
   bool is_settled(const S* z) {
     if (!is_round()) return true;
     read_answer(assembly_, z, *answer_, assembly_.sigma());
-    const typename RoundDistance<S>::Worst worst = distance().worst();
+    const typename RoundDistance<S>::Worst worst = distances().worst();
     worst_ = worst.point;
-    return worst.distance <= Tolerances<S>().residual;
+    distance_ = worst.distance;
+    return distance_ <= Tolerances<S>().residual;
   }
 
   /// Does the answer that is_settled looked at obey all laws? Their rows are judged by their own
@@ -59,7 +60,7 @@ public:
   /// Not damped: Newton's method as it is, whose other paths settle where those come back.
   void turn(const PressureMemory<S>& memory, bool damps) {
     if (!is_round()) return;
-    const RoundDistance<S> cones = distance();
+    const RoundDistance<S> cones = distances();
     const S step = damps && fastest_ > S(0) ? step_length(cones) : S(1);
     const bool is_short = step < RoundSettings::least_step<S>();
     const bool halts =
@@ -73,16 +74,19 @@ public:
   }
 
   Index worst_point() const { return worst_; }
+  /// From [T.16], of the answer that is_settled looked at; of pyramids 0.
+  const S& distance() const { return distance_; }
 
 private:
   Assembly<S>& assembly_;
   Span<LinearizedCone<S>> cones_;
   Answer<S>* answer_;
   Index worst_ = 0;
+  S distance_{0};
   S fastest_{0}; // slip, when the pyramids last turned; 0: they have not
   bool stalls_ = false;
 
-  RoundDistance<S> distance() const {
+  RoundDistance<S> distances() const {
     return {assembly_.scene(), assembly_.layout().scales, *answer_};
   }
 

@@ -122,11 +122,11 @@ private:
     const S one = S(4) * length_ * ModelSettings<S>::equal_distance();
     return Eigen::numext::abs(gap) <= (pressed ? one : penetration_tolerance()) ? S(0) : gap;
   }
-  /// A residue of the pads is a speed, and in thousands of steps a way.
+  /// A residue of the pads is a speed, and in thousands of steps a way. Six rounds leave none, or
+  /// what rounding leaves: asked for less of that, pads become so stiff that pivots go astray.
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
-    options.tolerance /= S(128);
-    options.fine_rounds = 2;
+    options.fine_rounds = 6;
     options.finest = S(4 * Eigen::NumTraits<S>::epsilon());
     return options;
   }
