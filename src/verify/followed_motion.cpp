@@ -11,7 +11,7 @@ using Settings = VerifySettings;
 class ChangeJudge {
 public:
   ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double allowed)
-      : file_(file), given_(given), allowed_(allowed), laws_(file, given) {}
+      : given_(given), allowed_(allowed), laws_(file, given) {}
 
   MissedChange judge(double enough, double fastest) {
     MissedChange worst;
@@ -23,8 +23,8 @@ public:
     }
     std::optional<MissedChange> last;
     for (std::size_t to = from + 1; to < given_.size(); ++to) {
-      const double changed = fastest_point(file_, given_[to].pose,
-                                           velocity_at(given_, to) - velocity_at(given_, from));
+      const double changed = laws_.telling().fastest(
+          given_[to].pose, velocity_at(given_, to) - velocity_at(given_, from));
       const bool is_last = to + 1 == given_.size();
       const std::size_t frames = to - from;
       const bool shows = changed >= enough && frames >= Settings::least_change_frames;
@@ -43,7 +43,6 @@ public:
   }
 
 private:
-  const SceneFile& file_;
   const std::vector<TrajectoryFrame>& given_;
   double allowed_;
   FollowedMotion laws_;
@@ -51,7 +50,7 @@ private:
   /// By how much the laws lead the telling points elsewhere, m, interval for interval, summed
   /// up: each in so many steps from the given place, at the velocity to which they have led before.
   std::optional<Eigen::VectorXd> led_astray(std::size_t from, std::size_t to, int parts) {
-    const std::vector<Vector3<double>> points = telling_points(file_);
+    const std::vector<Vector3<double>>& points = laws_.telling().points;
     Eigen::VectorXd astray = Eigen::VectorXd::Zero(3 * static_cast<Index>(points.size()));
     Vector6<double> velocity = velocity_at(given_, from);
     for (std::size_t k = from + 1; k <= to; ++k) {

@@ -13,6 +13,7 @@ public:
       : given_(given), seen_(file, given), run_(file) {}
 
   MotionRun& run() { return run_; }
+  const TellingPoints& telling() const { return seen_.telling(); }
   /// At frame k with this velocity; the fingers are where that has them, if it says so, else where
   /// they were. Pre: called with growing k.
   void begin_at(std::size_t k, const Vector6<double>& twist);

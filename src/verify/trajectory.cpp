@@ -16,28 +16,27 @@ namespace {
 using Settings = VerifySettings;
 
 /// m/s over a step: the largest difference of a telling point's place.
-double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
+double speed_between(const TellingPoints& telling, const Pose<double>& a, const Pose<double>& b,
                      double h) {
   double most = 0;
-  for (const Vector3<double>& p : telling_points(file))
-    most = std::max(most, (a.at(p) - b.at(p)).norm());
-  return std::max(0.0, most - Settings::digits * object_size(file)) / h;
+  for (const Vector3<double>& p : telling.points) most = std::max(most, (a.at(p) - b.at(p)).norm());
+  return std::max(0.0, most - Settings::digits * telling.size) / h;
 }
 
 /// The same to the nearest place from a on through b to the limit of ever more steps: what steps of
 /// unequal lengths make lies there.
-double speed_from_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
-                          const Pose<double>& to, double h) {
+double speed_from_between(const TellingPoints& telling, const Pose<double>& a,
+                          const Pose<double>& b, const Pose<double>& to, double h) {
   double along = 0, square = 0;
-  for (const Vector3<double>& p : telling_points(file)) {
+  for (const Vector3<double>& p : telling.points) {
     const Vector3<double> way = b.at(p) - a.at(p);
     along += way.dot(to.at(p) - a.at(p));
     square += way.squaredNorm();
   }
   const double part = square > 0 ? std::clamp(along / square, 0.0, Settings::limit) : 0.0;
   const auto between = [part](const auto& x, const auto& y) { return (x + part * (y - x)).eval(); };
-  return speed_between(file, {between(a.position, b.position), between(a.rotation, b.rotation)}, to,
-                       h);
+  return speed_between(telling, {between(a.position, b.position), between(a.rotation, b.rotation)},
+                       to, h);
 }
 
 /// How many times the grip that holds the scene's grip is.
@@ -80,7 +79,7 @@ public:
     if (report_.status == Status::solved)
       report_.missed = judge_changes(file_, given_, tolerance * report_.fastest, report_.fastest);
     const double span = given_.back().time - given_.front().time;
-    report_.creep = speed_between(file_, given_.front().pose, given_.back().pose, span);
+    report_.creep = speed_between(laws_.telling(), given_.front().pose, given_.back().pose, span);
     if (report_.steps > 0) report_.mean /= static_cast<double>(report_.steps);
     report_.forces = judge_forces(file_, given_);
     decide();
@@ -111,7 +110,7 @@ private:
     }
     if (step.status != Status::solved) return step;
     step.end = run_.stepper().pose();
-    step.off = speed_between(file_, step.end, to.pose, h);
+    step.off = speed_between(laws_.telling(), step.end, to.pose, h);
     step.saved = run_.save();
     return step;
   }
@@ -123,7 +122,7 @@ private:
     StepEnd nearest = step_in(to, h, 1), last = nearest;
     // A jump is over before a frame is: until steps are as short, all of them step over it.
     const Vector6<double> jump = run_.stepper().velocity() - before.moment.velocity;
-    const bool jumps = fastest_point(file_, to.pose, jump) > Settings::jump * report_.fastest;
+    const bool jumps = laws_.telling().fastest(to.pose, jump) > Settings::jump * report_.fastest;
     const double settles = jumps ? Settings::most_parts : Settings::settling_parts;
     // Who says how short its steps are may have made many.
     const double said = to.step && *to.step > 0 ? h / *to.step : 0;
@@ -138,15 +137,15 @@ private:
       const bool is_settling = parts >= settles && is_solved && finer.status == Status::solved &&
                                last.is_smooth && finer.is_smooth;
       const bool is_hopeless =
-          is_settling && finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
+          is_settling && finer.off > 2 * speed_between(laws_.telling(), last.end, finer.end, h) +
                                          report_.tolerance * report_.fastest;
       const bool is_nearer =
           finer.status == Status::solved &&
           (nearest.status != Status::solved || finer.off < Settings::nearer * nearest.off);
       if (is_nearer) nearest = finer;
       if (is_solved && finer.status == Status::solved)
-        nearest.off =
-            std::min(nearest.off, speed_from_between(file_, last.end, finer.end, to.pose, h));
+        nearest.off = std::min(
+            nearest.off, speed_from_between(laws_.telling(), last.end, finer.end, to.pose, h));
       last = std::move(finer);
       if (is_hopeless) break;
     }
@@ -169,7 +168,7 @@ private:
         report_.fastest =
             std::max(report_.fastest,
                      acceleration_at(run_.scene().points[i], run_.prescribed(b, to.time)).norm());
-    goes_ = std::max(goes_, speed_between(file_, from.pose, to.pose, h));
+    goes_ = std::max(goes_, speed_between(laws_.telling(), from.pose, to.pose, h));
     report_.fastest = std::max(report_.fastest, goes_);
     const StepEnd own = nearest_end(to, h);
     report_.status = own.status;
@@ -177,7 +176,7 @@ private:
       report_.worst_time = to.time;
       return;
     }
-    own_ = std::max(own_, speed_between(file_, from.pose, own.end, h));
+    own_ = std::max(own_, speed_between(laws_.telling(), from.pose, own.end, h));
     if (own.off > (1 + Settings::same_speed) * report_.worst)
       report_.worst_time = to.time; // the first of equals
     report_.worst = std::max(report_.worst, own.off);

@@ -21,7 +21,7 @@ class ForceJudge {
 public:
   ForceJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& frames)
       : file_(file), frames_(frames), seen_(file, frames) {
-    units_.size = object_size(file);
+    units_.size = seen_.telling().size;
   }
 
   std::optional<ForceReport> judge() {
@@ -36,7 +36,7 @@ public:
       if (!(step_.h > 0)) continue;
       frame_ = &frames_[k];
       const Vector6<double> twist = velocity_at(frames_, k);
-      step_.fastest = std::max(step_.fastest, fastest_point(file_, frame_->pose, twist));
+      step_.fastest = std::max(step_.fastest, seen_.telling().fastest(frame_->pose, twist));
       judge_frame();
     }
     if (report_.frames == 0) return std::nullopt;

@@ -23,8 +23,7 @@ Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, dou
 }
 
 SeenMotion::SeenMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& frames)
-    : file_(file), frames_(frames), faces_(file), around_(faces_.view()), size_(object_size(file)) {
-}
+    : file_(file), frames_(frames), faces_(file), around_(faces_.view()), telling_(file) {}
 
 bool SeenMotion::is_whole(std::size_t k) const {
   if (k == 0) return false;
@@ -113,7 +112,7 @@ std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) c
 PlacedPoint<double> SeenMotion::placed(Index body, Index point, const Pose<double>& object,
                                        const Pose<double>& hand) const {
   return place(around_, faces_.touching(body), faces_.bodies()[static_cast<std::size_t>(body)],
-               file_.points[static_cast<std::size_t>(point)], object, hand, size_);
+               file_.points[static_cast<std::size_t>(point)], object, hand, telling_.size);
 }
 
 /// At the hand's origin; none: what closes it is not known, and does not close along the normal.
@@ -151,8 +150,9 @@ Pose<double> SeenMotion::touching_pose(Index body, double time, Closings closing
   const auto drive = std::find_if(file_.drives.begin(), file_.drives.end(),
                                   [&](const Drive<double>& one) { return one.body == body; });
   std::optional<double>& closing = closings[static_cast<std::size_t>(drive->actuator)];
-  double least = size_;
-  for (int k = 0; k < Settings::closings && std::abs(least) > Settings::closed * size_; ++k) {
+  double least = telling_.size;
+  for (int k = 0; k < Settings::closings && std::abs(least) > Settings::closed * telling_.size;
+       ++k) {
     double slope = 0;
     least = std::numeric_limits<double>::infinity();
     for (const Index i : points_of(file_.body(body))) {
@@ -182,7 +182,7 @@ void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
   contact.spin = contact.normal.dot(Vector3<double>(step.twist->tail<3>() - body->tail<3>()));
   const double turn =
       step.h * std::max(step.twist->tail<3>().norm(), Vector6<double>(*body).tail<3>().norm());
-  contact.missed = 2 * turn * (turn * size_ + step.h * beside.norm());
+  contact.missed = 2 * turn * (turn * telling_.size + step.h * beside.norm());
   const Vector6<double> faster =
       faces_.prescribed(b, step.time) - faces_.prescribed(b, step.time - step.h);
   contact.unsure = acceleration_at(contact.position, faster).norm() / 2;
@@ -244,12 +244,11 @@ Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size
   return mean_twist(from.pose, to.pose, to.time - from.time);
 }
 
-std::vector<Vector3<double>> telling_points(const SceneFile& file) {
-  std::vector<Vector3<double>> points(file.points.begin(), file.points.end());
+TellingPoints::TellingPoints(const SceneFile& file)
+    : points(file.points.begin(), file.points.end()), size(object_size(file)) {
   Vector3<double> along = Vector3<double>::Zero();
   for (const Vector3<double>& p : points)
     if ((p - points[0]).norm() > along.norm()) along = p - points[0];
-  const double size = object_size(file);
   const auto is_beside = [&](const Vector3<double>& p) {
     const Vector3<double> way = p - points[0], line = along.normalized();
     return (way - way.dot(line) * line).norm() > VerifySettings::digits * size;
@@ -258,13 +257,11 @@ std::vector<Vector3<double>> telling_points(const SceneFile& file) {
     for (int axis = 0; axis < 3; ++axis)
       for (const double side : {-size / 2, size / 2})
         points.emplace_back(side * Vector3<double>::Unit(axis));
-  return points;
 }
 
-double fastest_point(const SceneFile& file, const Pose<double>& object,
-                     const Vector6<double>& twist) {
+double TellingPoints::fastest(const Pose<double>& object, const Vector6<double>& twist) const {
   double most = 0;
-  for (const Vector3<double>& p : telling_points(file))
+  for (const Vector3<double>& p : points)
     most = std::max(most, acceleration_at<double>(object.rotation * p, twist).norm());
   return most;
 }

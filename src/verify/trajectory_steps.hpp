@@ -37,6 +37,17 @@ struct SeenStep {
   double fastest = 0; ///< m/s, of contact points and bodies there
 };
 
+/// Places on the object that show every motion of it, about its centre of mass: the contact points,
+/// and where these lie on one line, others beside it.
+struct TellingPoints {
+  std::vector<Vector3<double>> points;
+  double size; ///< m, of the object
+
+  explicit TellingPoints(const SceneFile& file);
+  /// m/s, of the one that this twist moves fastest.
+  double fastest(const Pose<double>& object, const Vector6<double>& twist) const;
+};
+
 class SeenMotion {
 public:
   using Closings = std::vector<std::optional<double>>;
@@ -46,6 +57,7 @@ public:
 
   /// The one that ends at frame k >= 1. Pre: called with growing k, since strokes begin.
   SeenStep step(std::size_t k);
+  const TellingPoints& telling() const { return telling_; }
   bool is_absent(Index body) const { return faces_.is_absent(body); }
 
   /// Of the actuators, at frame k; none: it does not say.
@@ -82,18 +94,10 @@ private:
   const std::vector<TrajectoryFrame>& frames_;
   StrokeFaces faces_;
   Surroundings<double> around_;
-  double size_;
+  TellingPoints telling_;
 };
 
 /// At frame k, as given; or as of every implicit scheme the mean since the frame before.
 Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k);
-
-/// Places on the object that show every motion of it, about its centre of mass: the contact points,
-/// and where these lie on one line, others beside it.
-std::vector<Vector3<double>> telling_points(const SceneFile& file);
-
-/// m/s: of the telling point that this twist moves fastest.
-double fastest_point(const SceneFile& file, const Pose<double>& object,
-                     const Vector6<double>& twist);
 
 } // namespace lcpush::desktop
