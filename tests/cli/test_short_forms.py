@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 from tool import SOURCE, ToolTest, json_of, main, run, unwrapped
+from scene_tables import finger, pusher, table
 
 # (SI, the same with units); "" stands for its absence.
 UNITS = [
@@ -11,8 +12,8 @@ UNITS = [
     ("mass = 0.12", 'mass = "120e0 g"'), ("gravity = [0, -9.81, 0]", 'gravity = [0, "-9810 mm/s^2", "0 m/s^2"]'),
     ("box = [0.08, 0.04, 0.02]", 'box = ["80 mm", 0.04, "2 cm"]'),
     ("box = [0.08, 0.04, 0.02]", 'box = ["80000 um", "40 mm", "0.02 m"]'),
-    ("grip_force = 20 ", 'grip_force = "20 N" '), ("grip_force = 20 ", 'grip_force = "0.02 kN" '),
-    ("grip_force = 20 ", 'grip_force = "20000 mN" '), ("radius = 0.005", 'radius = "5 mm"'),
+    ("grip_force = 20", 'grip_force = "20 N" # N'), ("grip_force = 20", 'grip_force = "0.02 kN"'),
+    ("grip_force = 20", 'grip_force = "20000 mN"'), ("radius = 0.005", 'radius = "5 mm"'),
     ("center = [0.001, 0, 0.01]", 'center = ["1 mm", 0, "1 cm"]'),
     ("moment = [0, 0, 0.01]", 'moment = [0, 0, "10 N mm"]'),
     ("moment = [0, 0, 0.01]", 'moment = [0, 0, "0.01 N m"]'),
@@ -20,42 +21,18 @@ UNITS = [
     ("velocity = [0.01, 0, 0]", 'velocity = ["10 mm/s", 0, "0 m/s"]'), ("until = 0.25", 'until = "250 ms"'),
     ("until = 0.25", 'until = "0.25 s"'), ("angular_velocity = [0, 0, 0.5]", 'angular_velocity = [0, 0, "0.5 rad/s"]'),
 ]
-SCENE = """gravity = [0, -9.81, 0]
-[object]
-mass = 0.12
-box = [0.08, 0.04, 0.02]
-moment = [0, 0, 0.01]
-[[finger]]
-name = "2 mm"
-shape = "disc"
-center = [0.001, 0, 0.01]
-radius = 0.005
-normal = [0, 0, -1]
-friction = 0.5
-grip_force = 20 # N
-[[finger]]
-name = "right"
-shape = "point"
-center = [0.001, 0, -0.01]
-normal = [0, 0, 1]
-friction = 0.5
-grip_force = 20 # N
-[[pusher]]
-name = "wall"
-shape = "line"
-ends = [[-0.04, -0.015, 0], [-0.04, 0.015, 0]]
-normal = [1, 0, 0]
-friction = 0.3
-velocity = [0.01, 0, 0]
-angular_velocity = [0, 0, 0.5]
-until = 0.25
-"""
-ACTUATOR = """[[actuator]]
-name = "jaw"
-bodies = ["right"]
-twists = [[0, 0, 1, 0, 0, %d]]
-force = %s
-"""
+SCENE = (
+    table("", gravity=[0, -9.81, 0]) + table("[object]", mass=0.12, box=[0.08, 0.04, 0.02], moment=[0, 0, 0.01]) +
+    finger("2 mm", "disc", center=[0.001, 0, 0.01], radius=0.005, normal=[0, 0, -1], friction=0.5, grip_force=20) +
+    finger("right", "point", center=[0.001, 0, -0.01], normal=[0, 0, 1], friction=0.5, grip_force=20) +
+    pusher("wall", "line", ends=[[-0.04, -0.015, 0], [-0.04, 0.015, 0]], normal=[1, 0, 0], friction=0.3,
+           velocity=[0.01, 0, 0], angular_velocity=[0, 0, 0.5], until=0.25)
+)
+
+
+def actuator(turn, force):
+    return table("[[actuator]]", name="jaw", bodies=["right"], twists=[[0, 0, 1, 0, 0, turn]], force=force)
+
 
 # What is typed instead of what, its line, what the message says.
 REFUSED = [
@@ -130,9 +107,9 @@ class Units(SceneTest):
         self.assertEqual(plane[0], plane[1])
 
     def test_actuators(self):
-        for turn, force, said in [(0, '"20 N"', None), (0, '"2 N m"', "a moment; N, mN or kN"), (1, '"2 N m"', None),
-                                  (1, '"2 N"', None)]:
-            text = SCENE.replace("grip_force = 20 # N\n", "") + ACTUATOR % (turn, force)
+        for turn, force, said in [(0, "20 N", None), (0, "2 N m", "a moment; N, mN or kN"), (1, "2 N m", None),
+                                  (1, "2 N", None)]:
+            text = SCENE.replace("grip_force = 20\n", "") + actuator(turn, force)
             result = run("matrices", "-", text=text)
             self.assertEqual(result.returncode, 2 if said else 0, result.stderr)
             self.assertIn(said or "", result.stderr)

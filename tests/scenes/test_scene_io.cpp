@@ -1,3 +1,4 @@
+#include "support/fixture_push.hpp"
 #include "support/scene_text.hpp"
 
 #include <cstdio>
@@ -11,47 +12,21 @@ namespace {
 using Vec3 = Vector3<double>;
 
 /// The pusher comes first, to show that the order within the file does not matter.
-const std::string whole_scene = R"(title = "Straight slide, line pusher"
-gravity = [0, -9.81, 0]
-facets = 12
-pressure = "rigid"
-planar = false
-
-[object]
-mass = 0.2
-box = [0.1, 0.03, 0.01]
-center_of_mass = [0.01, 0.02, 0.03]
-
-[[pusher]]
-name = "wall"
-shape = "line"
-ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]
-normal = [1, 0, 0]
-friction = 0
-acceleration = [0.1, 0, 0]
-angular_acceleration = [0, 0, 2]
-about = [0.01, 0, 0]
-follow = "unilateral"
-
-[[finger]]
-name = "left"
-shape = "disc"
-center = [0, 0, 0.005]
-normal = [0, 0, -3]
-radius = 0.005
-friction = 0.5
-grip_force = 20
-
-[[finger]]
-name = "right"
-shape = "rectangle"
-center = [0, 0, -0.005]
-size = [0.01, 0.02]
-points = [3, 2]
-normal = [0, 0, 1]
-tangent = [0, 5, 1]
-friction = 0.6
-)";
+const std::string whole_scene =
+    test::table("", "title = \"Straight slide, line pusher\"; gravity = [0, -9.81, 0]; facets = "
+                    "12; pressure = \"rigid\"; planar = false") +
+    test::table("[object]",
+                "mass = 0.2; box = [0.1, 0.03, 0.01]; center_of_mass = [0.01, 0.02, 0.03]") +
+    test::pusher("wall", "line",
+                 "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]; normal = [1, 0, 0]; friction = "
+                 "0; acceleration = [0.1, 0, 0]; angular_acceleration = [0, 0, 2]; about = [0.01, "
+                 "0, 0]; follow = \"unilateral\"") +
+    test::finger("left", "disc",
+                 "center = [0, 0, 0.005]; normal = [0, 0, -3]; radius = 0.005; friction = 0.5; "
+                 "grip_force = 20") +
+    test::finger("right", "rectangle",
+                 "center = [0, 0, -0.005]; size = [0.01, 0.02]; points = [3, 2]; normal = [0, 0, "
+                 "1]; tangent = [0, 5, 1]; friction = 0.6");
 
 Vector6<double> twist(double x, double y, double z, double rx, double ry, double rz) {
   Vector6<double> result;
