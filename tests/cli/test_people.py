@@ -163,6 +163,7 @@ mass = 1
 {shape}
 [[pusher]]
 name = "cart"
+shape = "points"
 points = [[0, -0.05, 0]]
 normal = [0, 1, 0]
 friction = 0.5
