@@ -80,13 +80,14 @@ ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double 
   answer.tolerance = tolerance;
   answer.r = r;
   const Index n = p.b.size(), k = p.contacts();
-  VectorXd sizes = p.b.cwiseAbs(), units = VectorXd::Ones(k);
+  VectorXd sizes = p.b.cwiseAbs(), units = VectorXd::Ones(k), diagonal = VectorXd::Zero(n);
   answer.u = p.b;
   for (Index i = 0; i < n; ++i)
     for (const SparseEntry& entry : p.W.row(i)) {
       const double term = entry.value * r[entry.column];
       answer.u[i] += term;
       sizes[i] += std::abs(term);
+      if (entry.column == i) diagonal[i] = entry.value;
     }
   answer.l = l != nullptr ? *l : fitted_l(p, r, answer.u, sizes);
   answer.u += product(p.V, answer.l);
@@ -94,8 +95,7 @@ ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double 
   // A contact's forces are measured beside the largest, both by what moves their contacts.
   double largest = 0;
   for (Index c = 0; c < k; ++c) {
-    double w = 0;
-    for (Index i = 3 * c; i < 3 * c + 3; ++i) w = std::max(w, p.W(i, i));
+    const double w = diagonal.segment<3>(3 * c).maxCoeff();
     if (w > 0) units[c] = 1 / std::sqrt(w);
     largest = std::max(largest, r.segment<3>(3 * c).norm() / units[c]);
   }

@@ -92,6 +92,7 @@ void ContactSolver::scale() {
   s_ /= unit_;
   give_ = (Settings::equality - (p.R.array() * e_.array().square())).inverse();
   W_.cols = 3 * k_;
+  W_.entries.reserve(p.W.entries.size() + static_cast<std::size_t>(W_.cols));
   for (Index i = 0; i < 3 * k_; ++i) {
     VectorXd row = product(V_, V_.row(i).transpose().cwiseProduct(give_));
     row[i] += Settings::eps;
@@ -185,22 +186,27 @@ std::optional<VectorXd> ContactSolver::newton_step(const VectorXd& v, const Vect
 /// Newton's method on the smoothed laws. Where no shorter step gains anything the whole one is
 /// taken: on the smoothed path that leads over folds.
 bool ContactSolver::settle() {
+  VectorXd v = velocity(x_), F = residual(x_, v);
+  const auto go = [&](const VectorXd& x, double most) {
+    VectorXd at_x = velocity(x), left = residual(x, at_x);
+    if (!(left.norm() < most)) return false;
+    x_ = x;
+    v.swap(at_x);
+    F.swap(left);
+    return true;
+  };
   for (int step = 0; step < Settings::newton_steps; ++step) {
-    const VectorXd v = velocity(x_), F = residual(x_, v);
     const double before = F.norm(), small = Settings::settled * (1 + x_.norm());
     if (before <= tau_ * Settings::near_path || (step > 0 && before <= small)) return true;
     const auto dx = newton_step(v, F);
     if (!dx) return false;
     bool falls = false;
     double t = 1;
-    for (int half = 0; half < Settings::halvings && !falls; ++half, t /= 2) {
-      const VectorXd trial = x_ + t * *dx;
-      falls = residual(trial, velocity(trial)).norm() < (1 - Settings::decrease * t) * before;
-      if (falls) x_ = trial;
-    }
+    for (int half = 0; half < Settings::halvings && !falls; ++half, t /= 2)
+      falls = go(x_ + t * *dx, (1 - Settings::decrease * t) * before);
     if (falls) continue;
     if (tau_ == 0) return before <= small;
-    x_ += *dx;
+    if (!go(x_ + *dx, infinity)) return false;
   }
   return false;
 }
