@@ -25,7 +25,7 @@
 #include "lcpush/mechanics/solve/pressure.hpp"
 #include "lcpush/mechanics/solve/step.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
-#include "lcpush/mechanics/study/holding.hpp"
 #include "lcpush/mechanics/study/motion.hpp"
+#include "lcpush/mechanics/study/study_memory.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 #include "lcpush/status.hpp"

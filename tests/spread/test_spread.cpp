@@ -32,25 +32,6 @@ bool contains(const Interval& interval, double x, double slack) {
   return x >= interval.low - slack && x <= interval.high + slack;
 }
 
-/// A scene file of a test's own scene.
-desktop::SceneFile file_of(const OwnedScene<double>& scene) {
-  desktop::SceneFile file;
-  file.object = scene.base.object;
-  file.gravity = scene.base.gravity;
-  file.facets = scene.base.facets;
-  file.pressure = scene.base.pressure;
-  file.planar = scene.base.planar;
-  file.bodies = scene.bodies;
-  file.points = file.positions = scene.points;
-  file.actuators = scene.actuators;
-  file.drives = scene.drives;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    file.body_names.push_back("body" + std::to_string(b));
-  for (std::size_t a = 0; a < scene.actuators.size(); ++a)
-    file.actuator_names.push_back("drive" + std::to_string(a));
-  return file;
-}
-
 // Two frictional fingers on one line through the centre, a frictionless rod through it: 2 mu F + m
 // a.
 const std::string point_fingers =

@@ -18,6 +18,25 @@ inline std::string scene_text(const std::string& name, const std::string& folder
   return text.str();
 }
 
+/// A scene file of a test's own scene.
+template <class OwnScene> desktop::SceneFile file_of(const OwnScene& scene) {
+  desktop::SceneFile file;
+  file.object = scene.base.object;
+  file.gravity = scene.base.gravity;
+  file.facets = scene.base.facets;
+  file.pressure = scene.base.pressure;
+  file.planar = scene.base.planar;
+  file.bodies = scene.bodies;
+  file.points = file.positions = scene.points;
+  file.actuators = scene.actuators;
+  file.drives = scene.drives;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    file.body_names.push_back("body" + std::to_string(b));
+  for (std::size_t a = 0; a < scene.actuators.size(); ++a)
+    file.actuator_names.push_back("drive" + std::to_string(a));
+  return file;
+}
+
 /// What the text is about, where it says nothing: pyramids.
 inline std::string in_pyramids(const std::string& text) {
   return text.find("facets") == std::string::npos ? "facets = 8\n" + text : text;

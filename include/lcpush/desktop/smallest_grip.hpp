@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lcpush/desktop/push.hpp"
-#include "lcpush/mechanics/study/holding.hpp"
+#include "lcpush/mechanics/study/study_memory.hpp"
 
 namespace lcpush::desktop {
 

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "lcpush/lcp/cone_membership.hpp"
-#include "lcpush/mechanics/study/holding.hpp"
+#include "lcpush/mechanics/study/study_memory.hpp"
 
 namespace lcpush {
 
