@@ -32,7 +32,7 @@ EXACT = {
 }
 # Bare numbers that are left in each folder. These counts may only fall, and are exact.
 LEFT = {
-    "include/lcpush/mechanics/solve": 32,
+    "include/lcpush/mechanics/solve": 31,
     "include/lcpush/mechanics/study": 8,
     "src/certify": 25,
     "src/cone": 1,
