@@ -11,15 +11,14 @@
 namespace lcpush::desktop {
 namespace {
 
-bool statics_proves_fall(const SceneFile& file) {
-  const std::optional<double> least = least_factor(GripStatics(file));
+/// `least`: least_factor of the scene.
+bool statics_proves_fall(const std::optional<double>& least) {
   return least && *least > 1 + SolveSettings().short_of_load;
 }
 
 /// What is left when pushes far stronger than the load are taken back to none need not be a fall,
 /// where statics holds the load with room to spare.
-bool statics_has_room(const SceneFile& file) {
-  const std::optional<double> least = least_factor(GripStatics(file));
+bool statics_has_room(const std::optional<double>& least) {
   return least && *least < 1 - SolveSettings().room;
 }
 
@@ -85,13 +84,13 @@ AtRest solve_at_rest(const SceneFile& file, const Scales<double>& scales,
 /// Finite pushes may all be stronger than what lets the object fall or holds it: what they leave of
 /// a motion, `left`, is asked only where the law has no answer at rest, or falls otherwise than
 /// they do though statics holds the load with room to spare.
-bool falls_at_rest(const SceneFile& file, const AtRest& rest, const Vector6<double>& left,
-                   const Scales<double>& scales) {
+bool falls_at_rest(const std::optional<double>& least, const AtRest& rest,
+                   const Vector6<double>& left, const Scales<double>& scales) {
   const double moved = motion_size(left, scales);
   if (!rest.is_known) return moved > at_rest<double>();
   if (!rest.moves || moved <= at_rest<double>()) return rest.moves;
   const Vector6<double> off = rest.motion - left;
-  return !statics_has_room(file) || motion_size(off, scales) < SolveSettings().same_fall * moved;
+  return !statics_has_room(least) || motion_size(off, scales) < SolveSettings().same_fall * moved;
 }
 
 } // namespace
@@ -100,7 +99,7 @@ bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,
                        const Scales<double>& scales, const PushOptions& options) {
   const double moved = motion_size(breaking.rest, scales);
   if (!is_extrapolated(file, options)) return moved > limit_noise(file, breaking, scales, options);
-  return moved > at_rest<double>() || statics_proves_fall(file);
+  return moved > at_rest<double>() || statics_proves_fall(least_factor(GripStatics(file)));
 }
 
 Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options) {
@@ -118,16 +117,17 @@ Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOpt
     const double noise = limit_noise(file, breaking, report.scales, options);
     return moved > noise ? Status::does_not_hold : Status::solved;
   }
-  const bool is_proved = statics_proves_fall(file);
+  const std::optional<double> least_grip = least_factor(GripStatics(file));
+  const bool is_proved = statics_proves_fall(least_grip);
   if (!pulled && moved <= at_rest<double>() && !is_proved) return Status::solved;
   const AtRest rest = solve_at_rest(file, report.scales, options);
-  if (is_proved || falls_at_rest(file, rest, breaking.rest, report.scales)) {
+  if (is_proved || falls_at_rest(least_grip, rest, breaking.rest, report.scales)) {
     if (rest.moves) breaking.rest = rest.motion;
     return Status::does_not_hold;
   }
   // So near its limit that no finite push is on the line of the smallest?
-  const bool is_open =
-      rest.is_known && breaking.line_error > SolveSettings().no_pull && !statics_has_room(file);
+  const bool is_open = rest.is_known && breaking.line_error > SolveSettings().no_pull &&
+                       !statics_has_room(least_grip);
   if (!pulled && !is_open) return Status::solved;
   report.run.reason = Reason::pull;
   return Status::numerical_breakdown;
