@@ -158,9 +158,7 @@ void condense(const Parts& parts, Index n, ContactProblem& problem) {
     Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n + 1);
     for (Index i = 0; i < m; ++i)
       if (forces(c, i) != 0) row += forces(c, i) * moved->row(i);
-    for (Index j = 0; j < n; ++j)
-      if (row[j] != 0) problem.W.add(j, row[j]);
-    problem.W.end_row();
+    problem.W.add_row(row.head(n));
     problem.b[c] += row[n];
   }
 }
@@ -198,9 +196,7 @@ void turn(ContactProblem& problem) {
   for (Index i = 0; i < W.cols; ++i) {
     VectorXd row = VectorXd::Zero(W.cols);
     for (const auto& [j, value] : problem.W.row(i - i % 3 + (i + 2) % 3)) row[turned(j)] = value;
-    for (Index j = 0; j < W.cols; ++j)
-      if (row[j] != 0) W.add(j, row[j]);
-    W.end_row();
+    W.add_row(row);
   }
   problem.W = std::move(W);
   problem.b = turned(problem.b);

@@ -31,9 +31,7 @@ ContactForces solve_contact_pyramids(const ContactProblem& p, Index facets) {
   RawProblem raw;
   raw.M.cols = n + e;
   const auto add = [&](const Eigen::RowVectorXd& row, double q) {
-    for (Index j = 0; j < row.size(); ++j)
-      if (row[j] != 0) raw.M.add(j, row[j]);
-    raw.M.end_row();
+    raw.M.add_row(row);
     raw.q.push_back(q);
   };
   const auto spread = [&](const Eigen::VectorXd& rows) { // D' of every contact's three

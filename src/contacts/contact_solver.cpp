@@ -98,9 +98,7 @@ void ContactSolver::scale() {
     row[i] += Settings::eps;
     for (const SparseEntry& entry : p.W.row(i))
       row[entry.column] += d_[i] * entry.value * d_[entry.column];
-    for (Index j = 0; j < 3 * k_; ++j)
-      if (row[j] != 0) W_.add(j, row[j]);
-    W_.end_row();
+    W_.add_row(row);
   }
 }
 

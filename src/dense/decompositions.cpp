@@ -109,6 +109,8 @@ namespace {
 
 constexpr Index together = DenseSettings::rows_together, step = DenseSettings::vector_step;
 
+static_assert(together == 4, "subtract names each of them");
+
 /// row -= by * rows above, those one by one: a compiler gives entries of a step to a vector unit.
 void subtract(const double (&by)[together], const double* above, Index stride, Index count,
               double* __restrict row) {

@@ -55,6 +55,12 @@ struct SparseRows {
   /// Building: entries of the row that is open, then its end.
   void add(Index column, double value) { entries.push_back({static_cast<int>(column), value}); }
   void end_row() { begins.push_back(entries.size()); }
+  /// A whole row, without its zeros.
+  template <class Row> void add_row(const Row& row) {
+    for (Index j = 0; j < row.size(); ++j)
+      if (row[j] != 0) add(j, row[j]);
+    end_row();
+  }
 };
 
 SparseRows rows_of(const HostMatrix& matrix);
