@@ -12,6 +12,7 @@ from tool import SCENES, command, main, unwrapped
 
 from motion_frames import faults
 from random_scenes import random_scene
+from scene_tables import finger, pusher, table
 
 run = command("move")
 PIVOT, SLIDE = SCENES / "pivot.toml", SCENES / "straight_slide.toml"
@@ -139,24 +140,15 @@ class Move(unittest.TestCase):
     def test_wide_pads_go_on_where_rounding_tilts_them(self):
         # Two pads and an edge each hold the block's turn about y: a gap that differs by 1e-14 m along
         # the edge may not say which of its points presses.
-        pad = 'shape = "rectangle"\nsize = ["20 mm", "10 mm"]\nfriction = {}\ngrip_force = "20 N"\n'
-        block = """gravity = [0, -9.81, 0]
-[object]
-mass = "{} g"
-box = ["80 mm", "40 mm", "20 mm"]
-[[pusher]]
-name = "edge"
-on = "-x"
-shape = "line"
-along = "z"
-center = ["{} mm", 0]
-friction = {}
-acceleration = [0.1, 0, 0]
-"""
         for mass, center, friction, pads in ((120, -10, 0.4, 0.8), (161.6, 2.875, 0.3, 0.52),
                                              (133.7, -14.738, 0.75, 0.757), (386.9, -9.214, 0.61, 0.62)):
-            text = block.format(mass, center, friction) + "".join(
-                f'[[finger]]\nname = "at {face}"\non = "{face}"\n' + pad.format(pads) for face in ("+z", "-z"))
+            text = table("", gravity=[0, -9.81, 0])
+            text += table("[object]", mass=f"{mass} g", box=["80 mm", "40 mm", "20 mm"])
+            for face in ("+z", "-z"):
+                text += finger(f"at {face}", "rectangle", on=face, size=["20 mm", "10 mm"], friction=pads,
+                               grip_force="20 N")
+            text += pusher("edge", "line", on="-x", along="z", center=[f"{center} mm", 0], friction=friction,
+                           acceleration=[0.1, 0, 0])
             motion = json.loads(run("-", "--time", 0.2, "--json", text=text).stdout)
             self.assertEqual((motion["end"], motion["by_pyramids"]), ("time", 0), text)
             self.assertLess(motion["steps"], 300)
