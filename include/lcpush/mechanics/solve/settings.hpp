@@ -27,7 +27,8 @@ template <class S> struct PressureOptions {
   S runaway{1000}; ///< a squeeze that rounds only tighten: a normal force beyond this, in what the
                    ///< scene's forces and prescribed motions ask for
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
-  Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
+  Index fine_rounds = 0; ///< so many more at most, while the violation or the distance from
+                         ///< [T.16] is above `finest`
   S finest{0};
   bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
   bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
