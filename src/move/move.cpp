@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lcpush::desktop {
 namespace {
@@ -229,11 +230,17 @@ private:
     const bool locates =
         pair.has_event && located_ < Settings::most_located && h > Settings::event_step * time_;
     if ((pair.error > allowed && h > Settings::shortest_step * time_) || locates) {
+      if (locates) event_by_ = std::min(event_by_, before.moment.time + h);
       run_.restore(before);
       next_ = h / 2;
       return true;
     }
-    if (pair.has_event) ++located_;
+    // Where shorter steps pass by what a longer one has seen, it was of the step, not of the time.
+    const bool passes_event = now() >= event_by_ - Settings::same_time * time_;
+    if (pair.has_event || passes_event) {
+      ++located_;
+      event_by_ = std::numeric_limits<double>::infinity();
+    }
     *report_.error += pair.error;
     if (passes_distance()) return go_last(before, h);
     keep(pair.half);
@@ -346,6 +353,7 @@ private:
   ForceJumps jumps_;
   double next_ = 0;
   Index located_ = 0;
+  double event_by_ = std::numeric_limits<double>::infinity(); ///< s, until when one is to come
   Vector3<double> touched_ = Vector3<double>::Zero(); ///< m, where it was when something did
 };
 
