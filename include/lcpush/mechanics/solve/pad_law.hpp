@@ -31,10 +31,10 @@ template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body)
 } // namespace detail
 
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
-/// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch of several
-/// points (or one, in a plane, which leaves open how fingers across it share a force) and on a
-/// locked finger; a thousandth of that on another position-controlled body whose
-/// normals are linearly dependent; 0 otherwise. And lambda^(0): w_i of each patch's own force or
+/// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch, be it of one
+/// point (how the fingers of a jaw share its force may be open), and on a locked finger; a
+/// thousandth of that on another position-controlled body whose normals are linearly dependent; 0
+/// otherwise. And lambda^(0): w_i of each patch's own force or
 /// preload, 0 where there is none.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   const Scene<S>& scene = assembly.scene();
@@ -52,7 +52,7 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
     }
     const bool dependent = k > detail::affine_rank(scene, body) + 1;
     const bool locked = body.preload > S(0);
-    const bool soft = locked || (driven && (k > 1 || scene.planar));
+    const bool soft = locked || driven;
     const S softness = soft ? S(1) : !driven && dependent ? S(1) / S(1000) : S(0);
     for (Index i = body.first_point; i < body.first_point + k; ++i) {
       const S weight = weight_of(scene, body, i);
