@@ -26,12 +26,6 @@ std::string axis_phrase(const SceneFile& file, Index axis, bool is_positive) {
   return std::string(is_positive ? "along " : "against ") + "xyz"[axis];
 }
 
-std::string direction_phrase(const SceneFile& file, const Vector3<double>& direction) {
-  const Index axis = axis_along(direction);
-  return axis < 0 ? "along " + components_text(direction)
-                  : axis_phrase(file, axis, direction[axis] > 0);
-}
-
 /// "slip" of "slips".
 std::string plural_of(const std::string& verb) { return verb.substr(0, verb.size() - 1); }
 
@@ -67,25 +61,6 @@ std::string body_phrase(const std::string& name, const ModeCount& count) {
 bool is_gripping(const SceneFile& file, std::size_t b) {
   return file.bodies[b].role == Role::finger &&
          (file.bodies[b].preload > 0 || is_driven(file.view(), static_cast<Index>(b)));
-}
-
-/// What the object does, after its name; nothing of the grip where the hand moves, or is none.
-std::string motion_phrase(const SceneFile& file, const RunReport& report) {
-  const Motion<double>& motion = report.motion;
-  bool has_grip = false;
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) has_grip = has_grip || is_gripping(file, b);
-  const std::string in_grip = has_grip && !report.hand_moves ? " in the grip" : "";
-  const std::string turn = turn_phrase(motion.axis);
-  switch (motion.kind) {
-  case MotionKind::rest: return "does not move" + in_grip;
-  case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
-  case MotionKind::pivot: return "pivots " + turn + in_grip;
-  case MotionKind::roll: return rolling_verb(file) + (" " + turn);
-  case MotionKind::turn: break;
-  }
-  if (motion.pitch != 0) return "turns " + turn + " and advances along it";
-  const bool is_near = motion.axis_point.norm() < report.scales.length;
-  return (is_near ? "turns " : "slides and turns ") + turn;
 }
 
 /// "every finger point slips", "left slips, right sticks, wall opens at 1 of its 2 points". Tables
@@ -127,6 +102,30 @@ std::string idle_phrase(const SceneFile& file, const BreakReport& report) {
 }
 
 } // namespace
+
+std::string direction_phrase(const SceneFile& file, const Vector3<double>& direction) {
+  const Index axis = axis_along(direction);
+  return axis < 0 ? "along " + components_text(direction)
+                  : axis_phrase(file, axis, direction[axis] > 0);
+}
+
+std::string motion_phrase(const SceneFile& file, const RunReport& report) {
+  const Motion<double>& motion = report.motion;
+  bool has_grip = false;
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) has_grip = has_grip || is_gripping(file, b);
+  const std::string in_grip = has_grip && !report.hand_moves ? " in the grip" : "";
+  const std::string turn = turn_phrase(motion.axis);
+  switch (motion.kind) {
+  case MotionKind::rest: return "does not move" + in_grip;
+  case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
+  case MotionKind::pivot: return "pivots " + turn + in_grip;
+  case MotionKind::roll: return rolling_verb(file) + (" " + turn);
+  case MotionKind::turn: break;
+  }
+  if (motion.pitch != 0) return "turns " + turn + " and advances along it";
+  const bool is_near = motion.axis_point.norm() < report.scales.length;
+  return (is_near ? "turns " : "slides and turns ") + turn;
+}
 
 const char* rolling_verb(const SceneFile& file) {
   return file.shape.kind == ObjectShape::Kind::box ? "tips" : "rolls";

@@ -17,6 +17,12 @@ const char* rolling_verb(const SceneFile& file);
 /// "counter-clockwise about z", seen from the axis' tip; by its direction if it is no axis.
 std::string turn_phrase(const Vector3<double>& axis);
 
+/// "along x", "up", "along (0.6, 0.8, 0)". Precondition: unit.
+std::string direction_phrase(const SceneFile& file, const Vector3<double>& direction);
+/// What the object does, after its name: "slides along x"; nothing of the grip where the hand
+/// moves, or is none.
+std::string motion_phrase(const SceneFile& file, const RunReport& report);
+
 /// "sticks", "slips", "opens".
 const char* mode_verb(Mode mode);
 /// What a body's points do: "slips", or "1 sticks and 3 slip".

@@ -1,6 +1,8 @@
 // The numbers of the search for all answers. Forces are parts of the scene's, pushes of F / m.
 #pragma once
 
+#include <cstddef>
+
 namespace lcpush::desktop {
 
 struct SpreadSettings {
@@ -20,6 +22,9 @@ struct SpreadSettings {
   static constexpr double contradiction = 1e-9; ///< of the push
   static constexpr double parallel = 1e-12;     ///< entries of two signs that are the same
   static constexpr double own_motion = 1e-9;    ///< of the push: the least that a strict sign keeps
+  static constexpr double own_answer = 1e-6; ///< of the push: the least that an answer keeps of it
+  static constexpr std::size_t combinations_told = 8; ///< of modes, in brief: 20 lines in all
+  static constexpr std::size_t slips_named = 2;       ///< directions: more are counted
   // Answers.
   static constexpr double same = 1e-7;  ///< of the scale of forces, or of motions: one answer
   static constexpr double wider = 1e-6; ///< the same: what a range must gain to be another

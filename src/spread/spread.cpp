@@ -10,8 +10,6 @@
 #include <unordered_set>
 
 #include "lcpush/mechanics/solve/breaking.hpp"
-#include "solve/noise.hpp"
-#include "solve/word_settings.hpp"
 #include "spread/face_study.hpp"
 #include "spread/mode_tree.hpp"
 #include "spread/settings.hpp"
@@ -62,15 +60,9 @@ std::string corner_key(const Eigen::VectorXd& z) {
 
 class Search {
 public:
-  Search(const SceneFile& file, const SpreadOptions& options) : options_(options), problem_(file) {
-    report_.breaking = options.breaking;
+  Search(const SceneFile& file, const SpreadOptions& options)
+      : options_(options), problem_(file), report_(begin_report(problem_, options.breaking)) {
     report_.asked = options.enumeration;
-    report_.scales = problem_.layout().scales;
-    report_.noise = noise_below(file, report_.scales, word_settings.rounding);
-    if (options.breaking) report_.noise.acceleration = word_settings.rounding;
-    report_.contacts.resize(static_cast<std::size_t>(problem_.layout().points));
-    for (Index b = 0; b < problem_.scene().bodies.size; ++b)
-      if (problem_.scene().bodies[b].role == Role::pusher) report_.pushers.push_back({b, {}});
     study_.emplace(problem_, report_, options.breaking);
   }
 
@@ -82,7 +74,7 @@ public:
     if (report_.complete) report_.stop = Stop::none;
     if (report_.faces > 0 || (!options_.breaking && report_.covering_vectors_solved > 0)) {
       report_.status = Status::solved;
-      conclude();
+      conclude(options_.breaking ? 1 : push_size(problem_.scene()), report_);
       return report_;
     }
     Push push(problem_.file());
@@ -283,29 +275,6 @@ private:
       report_.enumeration = "some assignments of modes could not be settled";
     else
       report_.complete = true;
-  }
-
-  void conclude() {
-    const double length = report_.scales.length;
-    for (Index k = 0; k < 6; ++k) {
-      const double lever = k < 3 ? 1 : length;
-      for (double* const x : {&report_.twist[k].low, &report_.twist[k].high}) {
-        if (std::abs(*x) * lever <= report_.noise.acceleration) *x = 0;
-        if (std::isfinite(*x)) report_.motion = std::max(report_.motion, std::abs(*x) * lever);
-      }
-    }
-    const auto let_be_zero = [&](Interval& interval, double noise) {
-      for (double* const x : {&interval.low, &interval.high})
-        if (std::abs(*x) <= noise) *x = 0;
-    };
-    for (PusherSpread& pusher : report_.pushers) let_be_zero(pusher.force, report_.noise.force);
-    for (ContactSpread& contact : report_.contacts) {
-      for (Interval* const force : {&contact.normal, contact.tangential, contact.tangential + 1})
-        let_be_zero(*force, report_.noise.force);
-      let_be_zero(contact.torsion, report_.noise.moment);
-    }
-    report_.motion = std::max(report_.motion, options_.breaking ? 1 : push_size(problem_.scene()));
-    report_.verdict = verdict_on(report_);
   }
 };
 

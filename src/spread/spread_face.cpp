@@ -98,6 +98,24 @@ Face::Ending Face::find_point() {
   return ending;
 }
 
+Face::Ending Face::find_own_point(const ModeMotions& motions) {
+  const double least =
+      std::max(SpreadSettings::own_answer * problem_.push(), SpreadSettings::nothing);
+  const Index first = first_edge_ + static_cast<Index>(edges_.size());
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
+  for (std::size_t k = 0; k < motions.strict.size(); ++k) {
+    const Index column = first + static_cast<Index>(k); // what the sign has left
+    if (!motions.strict[k] || corners_[column] > count_ * least) continue;
+    Answer ignored;
+    c[column] = -1;
+    const Ending ending = minimise(c, ignored);
+    c[column] = 0;
+    if (ending == Ending::failed) return ending;
+    if (ending == Ending::found && !(program_->point()[column] > least)) return Ending::none;
+  }
+  return Ending::found;
+}
+
 bool Face::find_inner_point(std::vector<bool>& carries) {
   constexpr double force = SpreadSettings::carries;
   carries.assign(edges_.size(), true);

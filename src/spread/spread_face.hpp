@@ -44,6 +44,10 @@ public:
   /// `any_push`: the point with the largest push, proved to be none other than 0 if it is.
   Ending largest_push(Answer& answer);
 
+  /// After find_point: has some point all that only these modes have, no strict sign of `motions`
+  /// 0? Then inner_point is one; else none.
+  Ending find_own_point(const ModeMotions& motions);
+
   /// After `lowest` of some functionals: the mean of their points and more, such that an edge that
   /// can carry a force at all carries one there. False if a program fails.
   bool find_inner_point(std::vector<bool>& carries);

@@ -24,8 +24,8 @@ SceneFile literal(SceneFile file) {
 LiteralProblem::LiteralProblem(const SceneFile& file)
     : file_(literal(file)), assembled_(file_.view()) {
   const FactoredProblem<double>& given = factored();
-  const double fastest = push_size(scene());
-  unit_ = fastest > 0 ? layout().scales.acceleration / fastest : 1;
+  const double quickest = push_size(scene());
+  unit_ = quickest > 0 ? layout().scales.acceleration / quickest : 1;
   push_ = 1 / unit_;
   for (Index k = 0; k < 6; ++k)
     if (given.mobility.row(k).norm() > 0) axes_.push_back(k);
@@ -147,17 +147,17 @@ std::vector<ContactReading> LiteralProblem::readings_at(const Eigen::VectorXd& z
     reading.pressed = std::abs(lambda) > tie * force;
     reading.pulls = lambda < 0;
     reading.gap_closed = std::abs(rates[cone.variable]) <= tie * motion;
-    double fastest = 0, used = 0;
+    double quickest = 0, used = 0;
     const auto against = [&](Index j) { return -rates[layout().friction_index(i, j)]; };
     for (Index j = 0; j < cone.generators; ++j) {
       const double beta = z[layout().friction_index(i, j)];
-      fastest = std::max(fastest, against(j));
+      quickest = std::max(quickest, against(j));
       used += beta;
       if (beta > tie * force) reading.carrying.push_back(j);
     }
     for (Index j = 0; j < cone.generators; ++j)
-      if (against(j) >= fastest - tie * motion) reading.opposing.push_back(j);
-    reading.slips = fastest > tie * motion;
+      if (against(j) >= quickest - tie * motion) reading.opposing.push_back(j);
+    reading.slips = quickest > tie * motion;
     reading.at_limit = cone.generators > 0 && cone.friction_limit(z.data()) - used <= tie * force;
     readings.push_back(std::move(reading));
   }

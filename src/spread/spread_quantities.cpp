@@ -3,9 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/noise.hpp"
+#include "solve/word_settings.hpp"
 #include "spread/settings.hpp"
 
 namespace lcpush::desktop {
+namespace {
+
+SpreadVerdict verdict_on(const SpreadReport& report) {
+  const double length = report.scales.length, force = same_force(report);
+  for (Index k = 0; k < 6; ++k)
+    if (!is_single(report.twist[k], same_acceleration(report) / (k < 3 ? 1 : length)))
+      return SpreadVerdict::ambiguous;
+  for (const ContactSpread& contact : report.contacts)
+    if (!is_single(contact.normal, force) || !is_single(contact.tangential[0], force) ||
+        !is_single(contact.tangential[1], force) || !is_single(contact.torsion, force * length))
+      return SpreadVerdict::same_motion;
+  return SpreadVerdict::unique;
+}
+
+} // namespace
+
+SpreadReport begin_report(const LiteralProblem& problem, bool breaking) {
+  SpreadReport report;
+  report.breaking = breaking;
+  report.scales = problem.layout().scales;
+  report.noise = noise_below(problem.file(), report.scales, word_settings.rounding);
+  if (breaking) report.noise.acceleration = word_settings.rounding;
+  report.contacts.resize(static_cast<std::size_t>(problem.layout().points));
+  for (Index b = 0; b < problem.scene().bodies.size; ++b)
+    if (problem.scene().bodies[b].role == Role::pusher) report.pushers.push_back({b, {}});
+  return report;
+}
 
 std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report) {
   std::vector<Quantity> quantities;
@@ -74,16 +103,26 @@ void include_forces(const Answer<double>& answer, const Scene<double>& scene,
   }
 }
 
-SpreadVerdict verdict_on(const SpreadReport& report) {
-  const double length = report.scales.length, force = same_force(report);
-  for (Index k = 0; k < 6; ++k)
-    if (!is_single(report.twist[k], same_acceleration(report) / (k < 3 ? 1 : length)))
-      return SpreadVerdict::ambiguous;
-  for (const ContactSpread& contact : report.contacts)
-    if (!is_single(contact.normal, force) || !is_single(contact.tangential[0], force) ||
-        !is_single(contact.tangential[1], force) || !is_single(contact.torsion, force * length))
-      return SpreadVerdict::same_motion;
-  return SpreadVerdict::unique;
+void conclude(double push, SpreadReport& report) {
+  for (Index k = 0; k < 6; ++k) {
+    const double lever = k < 3 ? 1 : report.scales.length;
+    for (double* const x : {&report.twist[k].low, &report.twist[k].high}) {
+      if (std::abs(*x) * lever <= report.noise.acceleration) *x = 0;
+      if (std::isfinite(*x)) report.motion = std::max(report.motion, std::abs(*x) * lever);
+    }
+  }
+  const auto let_be_zero = [](Interval& interval, double noise) {
+    for (double* const x : {&interval.low, &interval.high})
+      if (std::abs(*x) <= noise) *x = 0;
+  };
+  for (PusherSpread& pusher : report.pushers) let_be_zero(pusher.force, report.noise.force);
+  for (ContactSpread& contact : report.contacts) {
+    for (Interval* const force : {&contact.normal, contact.tangential, contact.tangential + 1})
+      let_be_zero(*force, report.noise.force);
+    let_be_zero(contact.torsion, report.noise.moment);
+  }
+  report.motion = std::max(report.motion, push);
+  report.verdict = verdict_on(report);
 }
 
 bool is_wider(const SpreadReport& wider, const SpreadReport& than) {

@@ -15,6 +15,9 @@ struct Quantity {
   double value(const Eigen::VectorXd& z) const { return unit * (f.dot(z) + load); }
 };
 
+/// Without an answer yet: its pushers and contacts, its scales, what is nothing.
+SpreadReport begin_report(const LiteralProblem& problem, bool breaking = false);
+
 /// The push of each pusher first, then the twist, then point by point; report.pushers and
 /// report.contacts have their final size by then, and stay where they are.
 std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report);
@@ -26,7 +29,8 @@ void include(const Answer<double>& answer, const Scene<double>& scene, SpreadRep
 /// Does one report's range of a force, or of the motion, go beyond the other's by what counts?
 bool is_wider(const SpreadReport& wider, const SpreadReport& than);
 
-/// The verdict on the intervals; report.motion is known by then.
-SpreadVerdict verdict_on(const SpreadReport& report);
+/// What is less than the report's noise becomes 0; the motion's scale, at least `push` (m/s^2), and
+/// the verdict.
+void conclude(double push, SpreadReport& report);
 
 } // namespace lcpush::desktop

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 
 #include "formats/json_writer.hpp"
@@ -8,23 +6,11 @@
 #include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
+#include "spread/spread_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-std::string end_text(double x, int digits, double zero, bool is_long) {
-  if (std::isfinite(x)) return in_digits(x, digits, zero);
-  if (!is_long) return x > 0 ? "inf" : "-inf";
-  return x > 0 ? "no bound" : "no bound below";
-}
-
-/// "20.02", or "8.05 .. 10" if the ends differ by more than `same`.
-std::string interval_text(const Interval& interval, double same, int digits, bool is_long = true) {
-  if (is_single(interval, same)) return in_digits((interval.low + interval.high) / 2, digits, same);
-  return end_text(interval.low, digits, same, is_long) + " .. " +
-         end_text(interval.high, digits, same, is_long);
-}
 
 /// What the file's own law has to do with it, or nothing.
 std::string file_law_text(const SceneFile& file) {
@@ -32,12 +18,6 @@ std::string file_law_text(const SceneFile& file) {
   return std::string("the file's law \"") + pressure_text(file.pressure) +
          (file.pressure == Pressure::pad ? "\" chooses one of these answers"
                                          : "\" spreads each patch's force: other equations");
-}
-
-/// What is enumerated in place of a round cone, or nothing.
-std::string pyramid_text(const SceneFile& file) {
-  if (!file.is_round) return "";
-  return "friction is by pyramids of " + std::to_string(file.facets) + " facets, not round";
 }
 
 Fact law_fact(const SceneFile& file) {
@@ -123,11 +103,6 @@ std::string contact_table(const SceneFile& file, const SpreadReport& report, int
   });
 }
 
-std::string sentence(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".\n";
-}
-
 /// "is 20 N", "is 18.4 to 20 N", "is 3 N or more"; "ranges at least from 18.4 to 20 N" where other
 /// answers may lie outside.
 std::string force_words(const Interval& force, double same, bool complete) {
@@ -210,9 +185,6 @@ std::string failed_text(const SceneFile& file, const SpreadReport& report, Telli
   for (const std::string& doubt : doubts_of(report)) text += sentence(doubt);
   return text;
 }
-
-/// Infinite ends become null.
-std::array<double, 2> ends_of(const Interval& interval) { return {interval.low, interval.high}; }
 
 } // namespace
 

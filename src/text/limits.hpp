@@ -45,6 +45,7 @@ constexpr Index unknowns_proved = 60'000;  // fractions of every facet; 2 s
 constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
 
 // Points and choices up to which sets are enumerated: the work doubles with each.
+constexpr Index points_told_by_mode = 12; // 3^12 combinations; a person reads no more
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;
 
 // What a command may be asked for.

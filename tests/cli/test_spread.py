@@ -5,6 +5,7 @@ import resource
 import signal
 import subprocess
 import time
+from xml.etree import ElementTree
 
 from tool import SCENES, SOURCE, TOOL, ToolTest, command, json_of, main
 from scene_tables import finger, table
@@ -186,6 +187,76 @@ class Spread(ToolTest):
 
     def test_help_has_an_example(self):
         self.assertIn("lcpush spread fixtures/scenes/straight_slide.toml", run("--help").stdout)
+
+
+class Modes(ToolTest):
+    """--modes. The combinations themselves: tests/crosscheck/test_enumeration.py, by brute force."""
+
+    def modes(self, name, *words):
+        return json.loads(run(SCENES / f"{name}.toml", "--modes", "--json", *words).stdout)
+
+    def test_solve_has_the_combination_that_is_said_to_be_its(self):
+        for name, count, pads, why in (
+                ("coin", 1, "rigid", "there is no choice"), ("vise", 2, "pad", "where its pivots lead"),
+                ("rolling_two_answers", 2, "pad", "nor does the pad law"),
+                ("pivot", 5, "pad", "the pad law does"), ("tipping", 1, "pad", "there is no choice")):
+            with self.subTest(name):
+                answer = self.modes(name)
+                self.assertIs(answer["complete"], True)
+                self.assertEqual(len(answer["combinations"]), count)
+                self.assertIn(why, answer["why"])
+                modes = answer["combinations"][answer["solve"] - 1]["modes"]
+                words = {"stick": ("stick", "touch"), "slide": ("slip", "touch"), "separate": ("open",)}
+                for contact in json_of("solve", SCENES / f"{name}.toml", "--facets", "8")["contacts"]:
+                    self.assertIn(modes[contact["name"]], words[contact["mode"]])
+
+    def test_what_points_can_do_is_what_they_do_somewhere(self):
+        for name in ("vise", "pivot", "rolling_two_answers"):
+            answer = self.modes(name)
+            for contact in answer["contacts"]:
+                does = {combination["modes"][contact["name"]] for combination in answer["combinations"]}
+                self.assertEqual(does, set(contact["can"]))
+                self.assertEqual(bool(contact["slips"]), "slip" in does)
+        # Held, or falling: the stops rub against it.
+        self.assertEqual([contact["slips"] for contact in self.modes("vise")["contacts"]], [[[0, -1, 0]]] * 2)
+
+    def test_a_table_of_a_slope_between_sticking_and_slipping(self):
+        # A block on a slope of 3/4 under gravity alone sticks or slips at friction 3/4 on either side.
+        for mu, does, down in ((0.8, "stick", 0), (0.7, "slip", 10 * (0.6 - 0.7 * 0.8))):
+            scene = self.file("slope.toml", table("", planar=True, gravity=[6, -8, 0]) +
+                              table("[object]", mass=1, box=[0.1, 0.1, 0.1]) +
+                              finger("slope", "point", center=[0, 0, 0], normal=[0, 1, 0], friction=mu))
+            answer = json.loads(run(scene, "--modes", "--json").stdout)
+            self.assertEqual([entry["modes"] for entry in answer["combinations"]], [{"slope.1": does}])
+            for end in answer["combinations"][0]["twist"][0]:
+                self.assertAlmostEqual(end, down, 9)
+
+    def test_the_text_is_short_and_says_that_it_is_all(self):
+        for name in ("coin", "rolling_two_answers", "pivot", "tipping", "straight_slide_point"):
+            lines = run(SCENES / f"{name}.toml", "--modes").stdout.split("\n")
+            self.assertLessEqual(len(lines), 21)
+            self.assertLessEqual(max(map(len, lines)), 80)
+            self.assertIn("and that is all: the other", " ".join(lines))
+        ended = run(SCENES / "pivot.toml", "--modes", "--seconds", "0.5").stdout
+        self.assertRegex(ended, "At least|No combination was found: the time was up")
+        result = run(SOURCE / "fixtures/rays/coin_jammed.toml", "--modes")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("No combination of stick, slip and open obeys the laws: all", result.stdout)
+
+    def test_a_small_picture_for_each(self):
+        svg = run(SCENES / "rolling_two_answers.toml", "--modes", "--format", "svg").stdout
+        kinds = [element.get("class") for element in ElementTree.fromstring(svg).iter()]
+        # Two pictures of six points, and the key.
+        self.assertEqual(kinds.count("mark stick") + kinds.count("mark slide"), 2 * 6 + 2)
+        self.assertEqual(kinds.count("mark stick"), 4 + 2 + 1)
+
+    def test_what_is_too_much_is_refused_with_what_to_do(self):
+        for name, words, said in (("two_pushers", (), "18 contact points"), ("soft_fingers", (), "ring of points"),
+                                  ("coin", ("--break",), "--modes or --break"), ("coin", ("--paths",), "--modes or --paths")):
+            result = run(SCENES / f"{name}.toml", "--modes", *words)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(said, " ".join(result.stderr.split()))
+        self.assertIn("ask with --modes", run(SCENES / "coin.toml", "--format", "svg").stderr)
 
 
 class Theory(ToolTest):

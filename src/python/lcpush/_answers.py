@@ -211,7 +211,8 @@ class Breaking(Answer):
 
 class Spread(Answer):
     """The answer as a set, of `Scene.spread()`: `verdict`, `push_force` {pusher: [least, most]} N,
-    `twist` (6, 2), `contacts`, `complete`."""
+    `twist` (6, 2), `contacts`, `complete`; with modes=True `combinations`, `why` instead of the
+    ranges."""
 
 
 class Pivots(Answer):

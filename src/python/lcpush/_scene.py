@@ -146,7 +146,7 @@ class Scene:
                              "pressure": pressure, "pusher": pusher}, False, progress)
 
     def spread(self, *, breaking: bool = False, enumerate_all: bool = False,
-               paths_only: bool = False, covers: Optional[int] = None,
+               modes: bool = False, paths_only: bool = False, covers: Optional[int] = None,
                seconds: Optional[float] = None, check: bool = True,
                progress: Optional[Progress] = None) -> Spread:
         """The answer as a set: bounds of the push, the motion and the contact forces.
@@ -154,12 +154,14 @@ class Scene:
         Args:
             breaking: of the force that just moves the object
             enumerate_all: look longer for all contact modes
+            modes: each combination of sticking, slipping and opening contacts by itself
             paths_only: only what `covers` covering vectors (32) reach
             seconds: stop after that time with what is found
         """
         return self._answer(Spread, "spread",
                             {"break": breaking or None, "enumerate": enumerate_all or None,
-                             "paths": paths_only or None, "covers": covers, "seconds": seconds},
+                             "modes": modes or None, "paths": paths_only or None,
+                             "covers": covers, "seconds": seconds},
                             check, progress)
 
     def verify(self, answer: Any, *, tolerance: Optional[float] = None) -> Verdict:
