@@ -110,8 +110,7 @@ public:
     HoldLimit found{{kind, Vector3<double>::Zero() - force.what.direction}};
     double lower = force.lower / hand_.object.mass;
     if (!is_force) {
-      const auto near =
-          nearest(kind, at(), [](const Vector3<double>&, double height) { return height; });
+      const auto near = nearest(statics_, kind, at(), distance);
       if (!near) return HoldLimit{{kind, Vector3<double>::Zero()}};
       found.what.direction = near->direction;
       lower = near->lower * statics_.scales().force * unit_of(kind);
@@ -120,7 +119,11 @@ public:
     found.upper = found.statics;
     found.lower = std::min(lower, found.statics);
     // Of statics; where the law holds less it may be weakest elsewhere.
-    for (const HoldLimit& other : study_.limits)
+    std::vector<HoldLimit> others = study_.limits;
+    if (pads_ && !is_force)
+      if (const auto near = nearest(*pads_, kind, at(), distance))
+        others.push_back(limit({kind, near->direction}));
+    for (const HoldLimit& other : others)
       if (other.what.kind == kind && other.limit < (1 - hold_settings.same) * found.limit)
         found = other;
     return found;
@@ -132,7 +135,7 @@ public:
     if (!(weight > 0)) return unknown_number;
     const Vector3<double> down = hand_.gravity.normalized();
     const auto near = nearest(
-        Disturbance::force, Vector3<double>::Zero(),
+        statics_, Disturbance::force, Vector3<double>::Zero(),
         [&](const Vector3<double>& normal, double height) {
           const double cosine = std::clamp(normal.dot(down), -1.0, 1.0);
           const double reach = (height + weight * cosine) / weight;
@@ -152,6 +155,7 @@ public:
     if (!std::isnan(study_.factor)) study_.held = may_hold;
     if (study_.is_statics || !(study_.factor < no_limit)) return;
     law_.emplace(hand_, options_);
+    pads_.emplace(law_->surfaces(), std::vector<bool>(law_->surfaces().points.size(), true));
     study_.held = law_->holds_now();
     if (!study_.held) study_.reason = "the law of pads has no answer at rest that was found";
     if (study_.grip.force == 0) return;
@@ -164,9 +168,11 @@ private:
   const PushOptions& options_;
   HoldStudy& study_;
   GripStatics statics_;
-  std::optional<HoldingLaw> law_; ///< where it is another than statics
-  std::vector<ForceRay> rays_;    ///< with which the load is held
+  std::optional<HoldingLaw> law_;   ///< where it is another than statics
+  std::optional<GripStatics> pads_; ///< then of its surfaces, all of which touch
+  std::vector<ForceRay> rays_;      ///< with which the load is held
 
+  static double distance(const Vector3<double>&, double height) { return height; }
   static double pi() { return std::acos(-1.0); }
   Vector3<double> at() const { return study_.at - hand_.object.center_of_mass; }
   /// An acceleration is a force at the centre of mass, backwards: the one that is known.
@@ -192,17 +198,19 @@ private:
 
   /// Of a kind's set of held loads, in the scene's force. The nearest plane is no farther than the
   /// set reaches along an axis; what is farther does not matter.
-  std::optional<NearestBoundary> nearest(Disturbance kind, const Vector3<double>& at,
-                                         const Nearness& nearness, double least_size = 0) {
-    Eigen::MatrixXd columns(statics_.rows(), 3);
+  std::optional<NearestBoundary> nearest(const GripStatics& statics, Disturbance kind,
+                                         const Vector3<double>& at, const Nearness& nearness,
+                                         double least_size = 0) {
+    Eigen::MatrixXd columns(statics.rows(), 3);
     for (Index k = 0; k < 3; ++k)
-      columns.col(k) = statics_.wrench_column(
+      columns.col(k) = statics.wrench_column(
           unit_of(kind) * unit_wrench(hand_, kind, Vector3<double>(Vector3<double>::Unit(k)), at));
-    const std::optional<double> reach = LoadSet(statics_, columns, rays_).least_along_axes();
+    const std::vector<ForceRay> rays = &statics == &statics_ ? rays_ : std::vector<ForceRay>();
+    const std::optional<double> reach = LoadSet(statics, columns, rays).least_along_axes();
     if (!reach) return std::nullopt;
     const double size =
         std::max({hold_settings.beside * *reach, least_size, statics_settings.flat});
-    return LoadSet(statics_, columns, rays_, size).nearest(nearness);
+    return LoadSet(statics, columns, rays, size).nearest(nearness);
   }
 };
 

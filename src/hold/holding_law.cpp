@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "hold/settings.hpp"
@@ -43,55 +44,57 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
 }
 
 double HoldingLaw::least_grip(double bound) {
-  const auto is_held = [&](double factor) {
-    return holds(factor, Vector6<double>::Zero()).value_or(false);
+  const bool is_proved = !std::isnan(pads_least_);
+  const double least = is_proved ? std::max(bound, pads_least_) : bound;
+  if (least <= statics_settings.closed) return 0;
+  if (holds_now_ == true && least > 1) return 1;
+  const auto is_held = [&](double factor, bool unknown) {
+    return holds(factor, Vector6<double>::Zero()).value_or(unknown);
   };
-  double low = std::isnan(pads_least_) ? bound : std::max(bound, pads_least_);
-  if (low <= statics_settings.closed) return 0;
-  if (is_held(low * (1 + hold_settings.same))) return low;
-  double step = hold_settings.first_step * std::max(low, hold_settings.least_unit);
-  double high = low + step;
-  while (!is_held(high) && high < statics_settings.most_force && !work_.is_used_up()) {
-    low = high;
-    step *= 2;
-    high = low + step;
-  }
-  while (high - low > hold_settings.law * high && !work_.is_used_up()) {
-    const double middle = (low + high) / 2;
-    (is_held(middle) ? high : low) = middle;
-  }
-  return high - low <= hold_settings.told * high ? high : std::numeric_limits<double>::quiet_NaN();
+  const double refuted = holds_now_ == false ? std::max(least, 1.0) : least;
+  if (refuted == least && is_held(least * (1 + pads_.slack()), is_proved)) return least;
+  const double found = searched(refuted, 1, [&](double factor) { return is_held(factor, false); });
+  return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
 }
 
 double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {
   const double pads = pads_.limit(wrench, !asks);
   if (std::isinf(pads)) return bound;
-  const double limit = std::isnan(pads) ? bound : std::min(pads, bound);
+  const bool is_proved = !std::isnan(pads);
+  const double limit = is_proved ? std::min(pads, bound) : bound;
   if (!asks || !(limit > 0)) return limit;
-  if (std::isfinite(limit) && holds(1, (1 - hold_settings.same) * limit * wrench).value_or(false))
-    return limit;
-  return searched(wrench,
-                  std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm());
+  const auto is_held = [&](double load, bool unknown) {
+    return load <= 0 || holds(1, load * wrench).value_or(unknown);
+  };
+  if (std::isfinite(limit) && is_held((1 - pads_.slack()) * limit, is_proved)) return limit;
+  const double found =
+      searched(std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm(), -1,
+               [&](double load) { return is_held(load, false); });
+  return found >= (1 - pads_.slack()) * limit ? limit : found;
 }
 
-/// The largest load that is found to hold, a little below most often. Loads in between are taken to
-/// be held where more is: the law promises no convex set. A search that ends early, but not to a
-/// per cent, has found nothing.
-double HoldingLaw::searched(const Vector6<double>& wrench, double high) {
-  const auto is_held = [&](double load) {
-    return load <= 0 || holds(1, load * wrench).value_or(false);
-  };
-  double step = hold_settings.first_step * high, low = high - step;
-  while (!is_held(low) && !work_.is_used_up()) {
-    high = low;
+/// From what does not hold upwards or downwards: the nearest that is found to hold. What lies
+/// beyond is taken to be held: the law promises no convex set. A search that ends before that is
+/// known to what points leave open has found nothing.
+double HoldingLaw::searched(double refuted, double sign,
+                            const std::function<bool(double)>& is_held) const {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const double unit = std::max(refuted, hold_settings.least_unit);
+  double step = hold_settings.first_step * unit, held = std::max(0.0, refuted + sign * step);
+  while (!is_held(held)) {
+    if (work_.is_used_up() || held > statics_settings.most_force * unit) return nothing;
+    refuted = held;
     step *= 2;
-    low = std::max(0.0, high - step);
+    held = std::max(0.0, refuted + sign * step);
   }
-  while (high - low > hold_settings.law * high && !work_.is_used_up()) {
-    const double middle = (low + high) / 2;
-    (is_held(middle) ? low : high) = middle;
+  const auto is_open = [&](double precision) {
+    return std::abs(held - refuted) > precision * std::max(held, hold_settings.least_unit * unit);
+  };
+  while (is_open(hold_settings.law) && !work_.is_used_up()) {
+    const double middle = (held + refuted) / 2;
+    (is_held(middle) ? held : refuted) = middle;
   }
-  return high - low <= hold_settings.told * high ? low : std::numeric_limits<double>::quiet_NaN();
+  return is_open(hold_settings.of_points) ? nothing : held;
 }
 
 } // namespace lcpush::desktop

@@ -1,7 +1,8 @@
-// What the scene's own law of pads holds: its statics says where the limit is, the law is asked
-// just inside, and searched where it disagrees.
+// What the scene's own law of pads holds: the statics of its surfaces says where the limit is, the
+// law is asked inside, and searched where it disagrees.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,7 @@ public:
   std::optional<bool> holds(double factor, const Vector6<double>& more);
   /// The load as it is; forces of pads that carry it prove it where the law has no answer.
   std::optional<bool> holds_now() const { return holds_now_; }
+  const SceneFile& surfaces() const { return pads_.surfaces(); }
   /// The least factor on the grip; `bound`: of statics, from below; nan: not known.
   double least_grip(double bound);
   /// nan: no more than the least grip is known.
@@ -40,7 +42,7 @@ private:
 
   PushOptions options() const;
 
-  double searched(const Vector6<double>& wrench, double high);
+  double searched(double refuted, double sign, const std::function<bool(double)>& is_held) const;
 };
 
 } // namespace lcpush::desktop

@@ -10,7 +10,8 @@
 namespace lcpush::desktop {
 
 /// { x : the load and sum_k x_k (column k) are held }, in the scene's force. What a planar scene
-/// leaves out has no column, and is held in the box.
+/// leaves out has no column, and is held in the box. Of statics under the law of pads: with the
+/// points that touch.
 class LoadSet {
 public:
   /// `columns`: of x, y and z, those that are zero excepted; `size`: half the edge of the box to
@@ -25,6 +26,7 @@ public:
 
 private:
   std::vector<Index> axes_;
+  Index moves_; ///< of pads: unknowns before those of the load
   std::optional<double> size_;
   std::optional<StaticsProgram> program_;
 

@@ -30,8 +30,8 @@ struct Facets {
 
 class InnerPolytope {
 public:
-  InnerPolytope(const SupportQuestion& support, const Nearness& nearness)
-      : support_(support), nearness_(nearness) {}
+  InnerPolytope(const SupportQuestion& support, const Nearness& nearness, double bracket)
+      : support_(support), nearness_(nearness), bracket_(bracket) {}
 
   std::optional<NearestBoundary> find() {
     if (!span()) return has_failed_ ? std::nullopt : std::optional(best_);
@@ -40,7 +40,7 @@ public:
           std::min_element(facets_.nearness.begin(), facets_.nearness.end()) -
           facets_.nearness.begin());
       best_.lower = std::min(facets_.nearness[thinnest], best_.upper);
-      if (best_.upper - best_.lower <= hold_settings.bracket * std::abs(best_.upper)) break;
+      if (best_.upper - best_.lower <= bracket_ * std::abs(best_.upper)) break;
       const std::optional<SupportPoint> there = ask(facets_.normal[thinnest]);
       if (!there || facets_.over(thinnest, there->point) <= rounding()) break;
       grow(there->point, thinnest);
@@ -51,6 +51,7 @@ public:
 private:
   const SupportQuestion& support_;
   const Nearness& nearness_;
+  double bracket_;
   NearestBoundary best_;
   std::vector<Vector3<double>> points_;
   Facets facets_;
@@ -160,8 +161,8 @@ private:
 } // namespace
 
 std::optional<NearestBoundary> nearest_boundary(const SupportQuestion& support,
-                                                const Nearness& nearness) {
-  return InnerPolytope(support, nearness).find();
+                                                const Nearness& nearness, double bracket) {
+  return InnerPolytope(support, nearness, bracket).find();
 }
 
 } // namespace lcpush::desktop

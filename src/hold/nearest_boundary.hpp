@@ -28,8 +28,9 @@ using SupportQuestion = std::function<std::optional<SupportPoint>(const Vector3<
 /// `upper` are such numbers.
 using Nearness = std::function<double(const Vector3<double>& normal, double height)>;
 
-/// Of a set that contains the origin. None: a question failed before anything was known.
+/// Of a set that contains the origin, to a bracket of that, relative. None: a question failed
+/// before anything was known.
 std::optional<NearestBoundary> nearest_boundary(const SupportQuestion& support,
-                                                const Nearness& nearness);
+                                                const Nearness& nearness, double bracket);
 
 } // namespace lcpush::desktop

@@ -11,17 +11,11 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// The most of a wrench beside the load; or, of the grip's factor, the least or the most.
-struct PadQuestion {
-  Vector6<double> wrench = Vector6<double>::Zero();
-  bool of_grip = false, of_least = false;
-};
-
 /// The answer for the points that touch, which become those that touch at its end.
 double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<bool>& touching,
                double& work) {
   const GripStatics statics(hand, touching);
-  const Eigen::MatrixXd gaps = statics.gaps();
+  const Eigen::MatrixXd& gaps = statics.gaps();
   const Index moves = statics.displacement().cols();
   Eigen::VectorXd column =
       question.of_grip ? statics.grip_column() : statics.wrench_column(question.wrench);
@@ -43,38 +37,51 @@ double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<b
   std::vector<double> forces(touching.size(), 0);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     forces[static_cast<std::size_t>(statics.cones()[c].point)] += contacts[c].normal;
-  Index gap = 0;
+  const double factor = question.of_grip ? end.x[moves] : 1;
   for (std::size_t i = 0; i < touching.size(); ++i)
     touching[i] = touching[i] ? forces[i] > statics_settings.slips
-                              : !(end.x[moves + 1 + gap++] > statics_settings.slips);
+                              : statics.presses(static_cast<Index>(i), end.x.head(moves), factor) >
+                                    -statics_settings.slips;
   return end.x[moves] * (question.of_grip ? 1 : statics.scales().force / unit);
 }
 
-/// From the points that touch now to those that do at the end, as long as that is better.
-double climb(const SceneFile& hand, const PadQuestion& question, std::vector<bool> touching,
+/// From the points that touch to those that do at the end, as long as that is better; `touching`
+/// becomes the best ones.
+double climb(const SceneFile& hand, const PadQuestion& question, std::vector<bool>& touching,
              double& work) {
   double best = nothing;
+  std::vector<bool> next = touching;
   for (Index k = 0; k < hold_settings.most_patterns; ++k) {
-    const std::vector<bool> before = touching;
+    const std::vector<bool> now = next;
     if (work > hold_settings.pad_work) return nothing;
-    const double next = best_of(hand, question, touching, work);
-    const double gain = question.of_least ? best - next : next - best;
-    if (std::isnan(next) || gain <= hold_settings.law * std::abs(best)) break;
-    best = next;
-    if (touching == before) break;
+    const double found = best_of(hand, question, next, work);
+    const double gain = question.of_least ? best - found : found - best;
+    if (std::isnan(found) || gain <= hold_settings.law * std::abs(best)) break;
+    best = found;
+    touching = now;
+    if (next == now) break;
   }
   return best;
 }
 
 } // namespace
 
+/// The scene's few points say quickly which parts touch, its surfaces what they hold.
+double PadLimits::best(const PadQuestion& question, double& work) const {
+  std::vector<bool> touching = touching_;
+  const double few = climb(hand_, question, touching, work);
+  std::vector<bool> there = touching_beside(hand_, touching, surfaces_);
+  const double found = climb(surfaces_, question, there, work);
+  return std::isnan(found) ? few : found;
+}
+
 double PadLimits::limit(const Vector6<double>& wrench, bool for_picture) const {
   double uncounted = 0;
-  return climb(hand_, {wrench}, touching_, for_picture ? uncounted : work_);
+  return best({wrench}, for_picture ? uncounted : work_);
 }
 
 double PadLimits::grip(bool least) const {
-  return climb(hand_, {Vector6<double>::Zero(), true, least}, touching_, work_);
+  return best({Vector6<double>::Zero(), true, least}, work_);
 }
 
 } // namespace lcpush::desktop

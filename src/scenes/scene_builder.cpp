@@ -195,6 +195,7 @@ private:
       table.fail("follow", "follow = \"bilateral\" holds the pusher's normal motion, normal_force "
                            "its force; remove one of the two");
     scene_.bodies.push_back(body);
+    scene_.patches.push_back(patch.shape);
     scene_.lines.bodies.push_back(
         {table.line_of({"center", "ends", "points"}), table.line_of({"normal"}),
          table.line_of({"friction"}),

@@ -154,6 +154,7 @@ void sample_line_shape(const TableReader& table, const Placing<S>& placing, Patc
   if (placing.box != nullptr) cut_line(placing, patch, ends[0], ends[1]);
   sample_line<S>(ends[0], ends[1], resized(patch, point_count(table, 2, default_line_points)));
   line_weights(weights_of(patch));
+  patch.shape = PatchShape::line;
 }
 
 template <class S, bool is_disc>
@@ -165,6 +166,7 @@ void sample_round_shape(const TableReader& table, const Placing<S>& placing, Pat
   if (!sample_round(is_disc, center, placing.frame, radius, resized(patch, count)))
     patch.inexact.push_back(irrational(table, "points", true));
   is_disc ? disc_weights(weights_of(patch)) : equal_weights(weights_of(patch));
+  patch.shape = is_disc ? PatchShape::disc : PatchShape::ring;
 }
 
 template <class S>
@@ -182,6 +184,7 @@ void sample_rectangle_shape(const TableReader& table, const Placing<S>& placing,
                              " altogether, got " + std::to_string(count));
   sample_rectangle<S>(center, t, o, size[0], size[1], counts[0], counts[1], resized(patch, count));
   rectangle_weights(counts[0], counts[1], weights_of(patch));
+  patch.shape = PatchShape::rectangle;
 }
 
 /// A shape of the scene file: the keys that it takes, and how its points are sampled.

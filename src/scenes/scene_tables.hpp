@@ -19,6 +19,7 @@ template <class S> struct Patch {
   std::vector<S> weights;           ///< of the positions, of sum 1
   std::vector<std::string> inexact; ///< as SceneOf has it
   double overhang = 0; ///< m: so far a line or a rectangle reaches beyond the box' face
+  PatchShape shape = PatchShape::points;
 };
 
 /// An object's box, whose edges lie along the axes.

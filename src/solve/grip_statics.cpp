@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "lcpush/mechanics/solve/pad_law.hpp"
+#include "solve/patch_pressures.hpp"
 
 namespace lcpush::desktop {
 
 GripStatics::GripStatics(const SceneFile& file, const std::vector<bool>& touching)
     : file_(file), assembled_(file.view()), touching_(touching), moving_(file.planar ? 3 : 6),
-      sum_row_(moving_ + assembled_.scene.actuators.size),
-      rows_(sum_row_ + 1 + static_cast<Index>(touching.size())) {
+      sum_row_(moving_ + assembled_.scene.actuators.size), rows_(sum_row_ + 1) {
   const Scene<double>& scene = assembled_.scene;
   const Layout<double>& layout = assembled_.assembly.layout();
   for (Index b = 0; b < scene.bodies.size; ++b)
@@ -34,36 +35,92 @@ GripStatics::GripStatics(const SceneFile& file, const std::vector<bool>& touchin
   bound_forces();
   if (file.pressure != Pressure::pad) return;
   pad_preload(assembled_.assembly, assembled_.work.pressure);
-  for (Index i = 0; i < scene.points.size; ++i)
-    has_pads_ = has_pads_ || assembled_.work.pressure.compliance[i] > 0;
+  for (Index i = 0; i < scene.points.size; ++i) has_pads_ = has_pads_ || compliance(i) > 0;
   if (!touching_.empty()) add_pads();
 }
 
 /// [T.7] c (lambda - lambda_0) + W(n)' m = 0 where a point touches, >= 0 where it has parted.
 void GripStatics::add_pads() {
-  const Scene<double>& scene = assembled_.scene;
   displacement_ = Eigen::MatrixXd::Zero(rows_, sum_row_);
-  for (Index b = 0; b < scene.bodies.size; ++b)
-    for (const Index i : points_of(scene.bodies[b])) {
-      const Index row = sum_row_ + 1 + i;
-      const double c = assembled_.work.pressure.compliance[i];
-      const Eigen::VectorXd normal =
-          force_column(b, laws::normal_direction(scene.bodies[b], scene.points[i], scales()), true);
-      displacement_.row(row) = normal.head(sum_row_).transpose();
-      grip_column_[row] = -c * assembled_.work.pressure.preload[i];
-      for (Cone& cone : cones_)
-        if (cone.point == i)
-          cone.normal[row] = cone.normal.head(sum_row_).dot(normal.head(sum_row_)) > 0 ? c : -c;
+  for (Index b = 0; b < assembled_.scene.bodies.size; ++b) {
+    const Body<double>& body = assembled_.scene.bodies[b];
+    if (compliance(body.first_point) > 0 && !body.bilateral) {
+      add_patch(b);
+      continue;
     }
+    for (const Index i : points_of(body)) {
+      const double c = compliance(i);
+      const Eigen::VectorXd normal = normal_of(b, i);
+      for (Cone& cone : cones_)
+        if (cone.point == i) {
+          cone.normal.conservativeResizeLike(Eigen::VectorXd::Zero(rows_ + 1));
+          cone.normal[rows_] = cone.normal.head(sum_row_).dot(normal) > 0 ? c : -c;
+        }
+      follow(normal, c * assembled_.work.pressure.preload[i],
+             !touching_[static_cast<std::size_t>(i)]);
+    }
+  }
+  for (Cone& cone : cones_) {
+    cone.normal.conservativeResizeLike(Eigen::VectorXd::Zero(rows_));
+    cone.directions.conservativeResizeLike(Eigen::MatrixXd::Zero(rows_, cone.directions.cols()));
+  }
+  gaps_.conservativeResizeLike(Eigen::MatrixXd::Zero(rows_, gaps_.cols()));
 }
 
-Eigen::MatrixXd GripStatics::gaps() const {
-  const auto count = std::count(touching_.begin(), touching_.end(), false);
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(rows_, count);
-  Index gap = 0;
-  for (std::size_t i = 0; i < touching_.size(); ++i)
-    if (!touching_[i]) columns(sum_row_ + 1 + static_cast<Index>(i), gap++) = -1;
-  return columns;
+/// One more row: normal' m = preload at the scene's own grip, or no less.
+void GripStatics::follow(const Eigen::VectorXd& normal, double preload, bool parts) {
+  const Index row = rows_++;
+  for (Eigen::VectorXd* const part : {&fixed_, &grip_column_})
+    part->conservativeResizeLike(Eigen::VectorXd::Zero(rows_));
+  displacement_.conservativeResize(rows_, Eigen::NoChange);
+  displacement_.row(row) = normal.transpose();
+  grip_column_[row] = -preload;
+  if (!parts) return;
+  gaps_.conservativeResizeLike(Eigen::MatrixXd::Zero(rows_, gaps_.cols() + 1));
+  gaps_(row, gaps_.cols() - 1) = -1;
+}
+
+/// Over w_i and the softness s of its body, lambda_i / w_i = F - W(n_i)' m / s is affine in the
+/// place: its coefficients are those of W(n).
+void GripStatics::add_patch(Index b) {
+  const Body<double>& body = assembled_.scene.bodies[b];
+  const PatchPlaces patch = patch_places(assembled_.scene, body);
+  const double pressed = assembled_.work.pressure.preload[body.first_point] / patch.weights[0];
+  const double softness = compliance(body.first_point) * patch.weights[0];
+  Eigen::MatrixXd normals(sum_row_, body.point_count);
+  std::vector<Index> touch, parted;
+  for (Index i = 0; i < body.point_count; ++i) {
+    normals.col(i) = normal_of(b, body.first_point + i) / softness;
+    (touching_[static_cast<std::size_t>(body.first_point + i)] ? touch : parted).push_back(i);
+  }
+  if (!touch.empty()) {
+    Pad pad;
+    pad.row = rows_;
+    pad.weights = patch.weights(touch);
+    pad.places = patch.places(Eigen::all, touch);
+    pad.pressures = nonnegative_pressures(pad.places, pad.weights);
+    for (std::size_t c = 0; c < cones_.size(); ++c)
+      if (cones_[c].point >= body.first_point &&
+          cones_[c].point < body.first_point + body.point_count)
+        pad.cones.push_back(c);
+    pads_.push_back(std::move(pad));
+    const Eigen::MatrixXd affine = normals * patch.weights.asDiagonal() * patch.places.transpose();
+    for (Index k = 0; k < affine.cols(); ++k) follow(affine.col(k), k == 0 ? pressed : 0, false);
+  }
+  for (const Index i : rim(patch.places(Eigen::all, parted)))
+    follow(normals.col(parted[static_cast<std::size_t>(i)]), pressed, true);
+}
+
+Eigen::VectorXd GripStatics::normal_of(Index b, Index point) const {
+  const Scene<double>& scene = assembled_.scene;
+  return force_column(b, laws::normal_direction(scene.bodies[b], scene.points[point], scales()),
+                      true)
+      .head(sum_row_);
+}
+
+double GripStatics::presses(Index point, const Eigen::VectorXd& displacement, double factor) const {
+  return factor * compliance(point) * assembled_.work.pressure.preload[point] -
+         normal_of(file_.body_of(point), point).dot(displacement);
 }
 
 /// A force's column: its wrench, what it does to the actuators, and its share of the sum.
@@ -133,11 +190,32 @@ Eigen::VectorXd GripStatics::wrench_column(const Vector6<double>& wrench) const 
   return column;
 }
 
+/// Of a unit of normal force the friction, over mu, that resists a motion most.
+static Eigen::VectorXd friction_against(const GripStatics::Cone& cone,
+                                        const Eigen::VectorXd& motion) {
+  Eigen::VectorXd slip(cone.directions.cols());
+  for (Index k = 0; k < slip.size(); ++k) slip[k] = cone.directions.col(k).dot(motion);
+  if (cone.is_round) return -slip / std::max(slip.norm(), std::numeric_limits<double>::min());
+  Index most = 0;
+  return slip.size() == 0 || slip.minCoeff(&most) >= 0 ? Eigen::VectorXd(0 * slip)
+                                                       : Eigen::VectorXd::Unit(slip.size(), most);
+}
+
+/// The force per unit of normal force that resists a motion most.
+static Eigen::VectorXd force_against(const GripStatics::Cone& cone, const Eigen::VectorXd& motion) {
+  return cone.normal + cone.friction * (cone.directions * friction_against(cone, motion));
+}
+
 StaticsProgram::StaticsProgram(const GripStatics& statics, Eigen::MatrixXd D, Index free,
                                Eigen::VectorXd b, const std::vector<ForceRay>& known)
-    : statics_(statics), D_(std::move(D)), free_(free), b_(std::move(b)), rays_(known) {
+    : statics_(statics), D_(std::move(D)), free_(free), b_(std::move(b)), rays_(known),
+      is_padded_(statics.cones().size(), false) {
+  for (const GripStatics::Pad& pad : statics.pads())
+    for (const std::size_t c : pad.cones) is_padded_[c] = true;
   if (!rays_.empty()) return;
+  for (std::size_t p = 0; p < statics.pads().size(); ++p) add_pad_rays(p, Eigen::VectorXd());
   for (std::size_t i = 0; i < statics.cones().size(); ++i) {
+    if (is_padded_[i]) continue;
     const GripStatics::Cone& cone = statics.cones()[i];
     const Index count = cone.directions.cols();
     if (count == 0) rays_.push_back({i, Eigen::VectorXd()});
@@ -148,12 +226,32 @@ StaticsProgram::StaticsProgram(const GripStatics& statics, Eigen::MatrixXd D, In
 }
 
 Eigen::VectorXd StaticsProgram::column(const ForceRay& ray) const {
+  if (ray.pressure.size() > 0) {
+    Eigen::VectorXd padded = Eigen::VectorXd::Zero(b_.size());
+    padded.head(statics_.rows()) = ray.friction;
+    return padded;
+  }
   const GripStatics::Cone& cone = statics_.cones()[ray.cone];
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(b_.size());
   sum.head(statics_.rows()) = cone.normal;
   for (Index k = 0; k < ray.friction.size(); ++k)
     sum.head(statics_.rows()) += cone.friction * ray.friction[k] * cone.directions.col(k);
   return sum;
+}
+
+/// The forces of a pad's points against a motion, by the parts of its pressure; without a motion
+/// they press alone.
+Eigen::MatrixXd StaticsProgram::pad_forces(const GripStatics::Pad& pad,
+                                           const Eigen::VectorXd& motion) const {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(statics_.rows(), pad.places.rows());
+  for (std::size_t i = 0; i < pad.cones.size(); ++i) {
+    const GripStatics::Cone& cone = statics_.cones()[pad.cones[i]];
+    const auto k = static_cast<Index>(i);
+    forces.noalias() += (motion.size() == 0 ? cone.normal : force_against(cone, motion)) *
+                        (pad.weights[k] * pad.places.col(k)).transpose();
+  }
+  forces.middleRows(pad.row, pad.places.rows()).diagonal().array() += 1;
+  return forces;
 }
 
 /// Of the rays from this one on.
@@ -182,15 +280,29 @@ double StaticsProgram::add_missing(const Eigen::VectorXd& motion) {
   const std::size_t before = rays_.size();
   for (std::size_t i = 0; i < statics_.cones().size(); ++i) {
     const GripStatics::Cone& cone = statics_.cones()[i];
-    if (!cone.is_round || cone.directions.cols() == 0) continue;
-    Eigen::VectorXd slip(cone.directions.cols());
-    for (Index k = 0; k < slip.size(); ++k) slip[k] = cone.directions.col(k).dot(motion);
-    const double speed = slip.norm();
-    const double lacks = cone.friction * speed - cone.normal.dot(motion);
+    if (!cone.is_round || cone.directions.cols() == 0 || is_padded_[i]) continue;
+    const double lacks = -force_against(cone, motion).dot(motion);
     most = std::max(most, lacks);
-    if (lacks > statics_settings.missing) rays_.push_back({i, -slip / speed});
+    if (lacks > statics_settings.missing) rays_.push_back({i, friction_against(cone, motion)});
   }
+  for (std::size_t p = 0; p < statics_.pads().size(); ++p)
+    most = std::max(most, add_pad_rays(p, motion));
   if (rays_.size() > before) simplex_->add(columns(before));
+  return most;
+}
+
+/// Those of a pad's pressures that a motion meets with less than no resistance; without a motion
+/// all of them.
+double StaticsProgram::add_pad_rays(std::size_t p, const Eigen::VectorXd& motion) {
+  const GripStatics::Pad& pad = statics_.pads()[p];
+  const Eigen::MatrixXd forces = pad_forces(pad, motion) * pad.pressures;
+  const bool is_first = motion.size() == 0;
+  const Eigen::VectorXd lacks = is_first ? Eigen::VectorXd::Ones(forces.cols())
+                                         : Eigen::VectorXd(-forces.transpose() * motion);
+  const double most = lacks.maxCoeff();
+  for (Index k = 0; k < forces.cols(); ++k)
+    if (lacks[k] > statics_settings.missing && lacks[k] >= statics_settings.worth * most)
+      rays_.push_back({p, forces.col(k), pad.pressures.col(k)});
   return most;
 }
 
@@ -277,15 +389,19 @@ StaticsProgram::Optimum StaticsProgram::minimise(const Eigen::VectorXd& c) {
 
 std::vector<StaticsProgram::Contact> StaticsProgram::contacts() const {
   std::vector<Contact> all(statics_.cones().size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i].friction = Eigen::VectorXd::Zero(statics_.cones()[i].directions.cols());
   for (std::size_t k = 0; k < rays_.size(); ++k) {
     const Index place = first_ray() + static_cast<Index>(k);
     const double force = place < simplex_->point().size() ? simplex_->point()[place] : 0;
-    Contact& contact = all[rays_[k].cone];
-    contact.normal += force;
-    if (rays_[k].friction.size() > 0)
-      contact.friction += force * statics_.cones()[rays_[k].cone].friction * rays_[k].friction;
+    const ForceRay& ray = rays_[k];
+    if (ray.pressure.size() == 0) {
+      all[ray.cone].normal += force;
+      continue;
+    }
+    const GripStatics::Pad& pad = statics_.pads()[ray.cone];
+    for (std::size_t i = 0; force > 0 && i < pad.cones.size(); ++i) {
+      const auto at = static_cast<Index>(i);
+      all[pad.cones[i]].normal += force * pad.weights[at] * ray.pressure.dot(pad.places.col(at));
+    }
   }
   return all;
 }

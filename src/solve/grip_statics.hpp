@@ -15,7 +15,8 @@ namespace lcpush::desktop {
 
 /// The balance of an object and of the actuators: G f + D x = b, in the assembly's units. Its rows
 /// are forces, moments (in a plane what lies in it), actuators, the sum of normal forces with its
-/// slack; under the law of pads [T.7] also one a point: how its force follows a displacement.
+/// slack; under the law of pads [T.7] also how pressure follows a displacement: of patches its
+/// affine parts, and where the rim of what has parted may not press; of other points one each.
 class GripStatics {
 public:
   /// Of a hand at rest. The file outlives this. `touching`: which points do, under the law of pads;
@@ -32,8 +33,19 @@ public:
     bool is_round;
   };
 
+  /// Under the law of pads: a patch whose pressure over weight is affine, sum_k P_k places(k).
+  struct Pad {
+    std::vector<std::size_t> cones; ///< of the points that touch
+    Eigen::VectorXd weights;        ///< of these
+    Eigen::MatrixXd places;         ///< 1 and coordinates in the plane, of these
+    Eigen::MatrixXd pressures;      ///< P, one a column: of them a pressure that nowhere pulls is a
+                                    ///< sum; of sum 1, or 0 everywhere
+    Index row;                      ///< of P_0
+  };
+
   const Scales<double>& scales() const { return assembled_.assembly.layout().scales; }
   const std::vector<Cone>& cones() const { return cones_; }
+  const std::vector<Pad>& pads() const { return pads_; }
   Index rows() const { return rows_; }
   Index moving() const { return moving_; } ///< rows of the object: 6, in a plane 3
   Index sum_row() const { return sum_row_; }
@@ -56,7 +68,9 @@ public:
   /// Of pads: the columns of the displacement, any sign, one a row before sum_row.
   const Eigen::MatrixXd& displacement() const { return displacement_; }
   /// And of the gaps that points have opened, >= 0.
-  Eigen::MatrixXd gaps() const;
+  const Eigen::MatrixXd& gaps() const { return gaps_; }
+  /// How far a displacement presses a point, at `factor` times the grip; < 0: it parts.
+  double presses(Index point, const Eigen::VectorXd& displacement, double factor) const;
   /// A row's axis of the twist: 0 to 5.
   Index axis(Index row) const { return moving_ == 3 && row == 2 ? 5 : row; }
 
@@ -64,22 +78,29 @@ private:
   const SceneFile& file_;
   AssembledScene assembled_;
   std::vector<Cone> cones_;
+  std::vector<Pad> pads_;
   std::vector<bool> touching_;
   Index moving_, sum_row_, rows_;
   bool is_capped_ = true, has_pads_ = false;
   Eigen::VectorXd fixed_, grip_column_;
-  Eigen::MatrixXd displacement_;
+  Eigen::MatrixXd displacement_, gaps_;
 
   Eigen::VectorXd force_column(Index body, const Vector6<double>& column, bool presses) const;
   void add_cones(Index body, Index point, double sign);
   void bound_forces();
+  double compliance(Index point) const { return assembled_.work.pressure.compliance[point]; }
+  Eigen::VectorXd normal_of(Index body, Index point) const;
   void add_pads();
+  void add_patch(Index body);
+  void follow(const Eigen::VectorXd& normal, double preload, bool parts);
 };
 
-/// A friction in a cone of which a program knows: normal force 1.
+/// Forces of which a program knows: normal force 1 at a point, or a pressure of a pad.
 struct ForceRay {
-  std::size_t cone;
-  Eigen::VectorXd friction; ///< of a pyramid a unit vector among its generators; empty: none
+  std::size_t cone; ///< or the pad
+  /// Of a pyramid a unit vector among its generators; empty: none. Of a pad all of its forces.
+  Eigen::VectorXd friction;
+  Eigen::VectorXd pressure = {}; ///< of a pad
 };
 
 /// Programs over the same set, { x, f : G f + D x = b }.
@@ -98,8 +119,7 @@ public:
   };
   /// What presses and slips at a program's end.
   struct Contact {
-    double normal = 0;        ///< N over the scene's unit
-    Eigen::VectorXd friction; ///< along Cone::directions
+    double normal = 0; ///< N over the scene's unit
   };
   struct Optimum {
     Ending ending = Ending::failed;
@@ -125,11 +145,14 @@ private:
   Index free_;
   Eigen::VectorXd b_, motion_;
   std::vector<ForceRay> rays_;
+  std::vector<bool> is_padded_; ///< of the cones: their forces are a pad's
   std::optional<Simplex> simplex_;
   double work_ = 0; ///< before the present tableau
 
   Index first_ray() const { return D_.cols() + 1; }
   Eigen::VectorXd column(const ForceRay& ray) const;
+  Eigen::MatrixXd pad_forces(const GripStatics::Pad& pad, const Eigen::VectorXd& motion) const;
+  double add_pad_rays(std::size_t pad, const Eigen::VectorXd& motion);
   Eigen::MatrixXd columns(std::size_t from) const;
   bool restart();
   double add_missing(const Eigen::VectorXd& motion);

@@ -59,12 +59,14 @@ struct StaticsSettings {
   /// cost by more; rays nearer to each other than that would cost digits.
   double missing = 1e-11, price = 1e-12;
   double closed = 1e-9;   ///< of a program's value: its bounds meet
+  double worth = 0.5;     ///< of a pad's rays those are added that lack so much of what most lacks
   Index most_rounds = 60; ///< in which rays are added; the angle's error is squared in each
   /// From so many rays on, and so many a cone, those without force are dropped.
   Index most_rays = 48, rays_a_cone = 6;
   double carries = 1e-9; ///< of the load's part that no force balances: forces are found
   double flat = 1e-8;    ///< of its size: a set thinner than that has no inside
   double slips = 1e-6;   ///< of the fastest point of a motion: it moves
+  double line = 1e-3;    ///< of its length: a patch is no wider, and its pressure varies along it
 };
 
 constexpr StaticsSettings statics_settings;

@@ -82,6 +82,7 @@ SceneFile hand_at_rest(const SceneFile& file) {
   }
   alone.bodies.resize(bodies);
   alone.body_names.resize(bodies);
+  alone.patches.resize(std::min(bodies, alone.patches.size()));
   alone.points.resize(points);
   alone.positions.resize(points);
   alone.weights.resize(std::min(points, alone.weights.size()));

@@ -68,6 +68,9 @@ struct Stroke {
   bool is_limited() const { return from > 0 || until < std::numeric_limits<double>::infinity(); }
 };
 
+/// What a body's points stand for.
+enum class PatchShape { points, line, ring, disc, rectangle };
+
 /// A flat part of the object's surface, convex.
 struct ObjectFace {
   Vector3<double> normal = Vector3<double>::UnitZ(); ///< unit, out of the object
@@ -118,7 +121,8 @@ template <class S> struct SceneOf {
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;
-  std::vector<double> overhang; ///< m, of the bodies: so far each was cut off; empty: none was
+  std::vector<PatchShape> patches; ///< of the bodies; none: points
+  std::vector<double> overhang;    ///< m, of the bodies: so far each was cut off; empty: none was
   /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
   std::vector<std::string> inexact;
 
