@@ -36,6 +36,11 @@ async function live(browser) {
   await page.evaluate(() => { location.hash = '#problem=4 1; 2 3|-2 -7&step=1'; });
   await page.frameLocator('#frame').locator('#step', { hasText: 'Step 1 of 2' }).waitFor();
   assert.equal(await page.inputValue('#q'), '-2 -7');
+  assert.equal(await page.inputValue('#examples'), '', 'no textbook problem');
+  await page.waitForFunction(() => document.activeElement.id === 'frame');
+  await page.keyboard.press('ArrowLeft');
+  await page.frameLocator('#frame').locator('#step', { hasText: 'Step 0 of 2' }).waitFor();
+  await page.keyboard.press('ArrowRight');
   await page.click('#raw-link');
   await page.waitForFunction(() => /^#lcp=.*&step=1$/.test(location.hash));
   assert.deepEqual(faults, []);

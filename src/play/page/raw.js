@@ -23,8 +23,15 @@
     floudas_10_2_2: ['1 1; 1 1', '-1 -1', 'a whole segment of solutions'],
   };
 
+  /// A CSV file of a language whose decimals take the comma, as others have it.
+  const with_points = (text) => {
+    const rows = text.trim().split(/\s*\n\s*/);
+    const is_such = rows.length > 1 && rows.every((row) => /^[^\s;[\]]+(;[^\s;[\]]+)+$/.test(row));
+    return is_such ? rows.map((row) => row.replace(/,/g, '.').replace(/;/g, ',')).join('\n') : text;
+  };
   /// Brackets and names of other languages, and a semicolon at the end, say nothing.
-  const plain = (text) => text.replace(/^[^=]*=/, '').replace(/\.\.\.\s*\n/g, ' ')
+  const plain = (text) => with_points(text).replace(/,\s*dtype=[^)]*/, '').replace(/^[^=]*=/, '')
+    .replace(/\.\.\.\s*\n/g, ' ')
     .replace(/(np|numpy)\.|(array|matrix)\(|\)/g, '').replace(/\]\s*,?\s*\[/g, ';').replace(/[[\]]/g, ' ').trim()
     .replace(/[;,\s]+$/, '');
   const problem = () => `${plain(by_id('M').value).replace(/[,;]?\s*[\n;]\s*/g, '; ')}\n${
@@ -42,19 +49,32 @@
   /// The explorer in the frame, once it stands there.
   const explorer_shown = () => by_id('frame').contentWindow.lcpush?.app;
 
+  /// The textbook's name of the problem that stands there, if it is one of its.
+  const known_name = () => Object.keys(examples)
+    .find((name) => examples[name].slice(0, 2).join('\n') === problem()) || '';
+
+  /// Who follows a link wants its step: in view, and under the keys.
+  function turn_to_frame() {
+    by_id('frame').scrollIntoView({ block: 'center' });
+    by_id('frame').contentWindow.focus();
+  }
+
   /// The page of a typed problem, which begins with `linked` or with the first example.
   function start(module, { lcp: linked, at: linked_at }) {
     const background = new play.Background(module);
-    const explore = async (at = '') => {
+    const explore = async (at) => {
       say('tracing the pivots ..');
-      by_id('frame').addEventListener('load', () => explorer_shown()?.open_at(at), { once: true });
+      by_id('examples').value = known_name();
+      by_id('frame').addEventListener('load', () => {
+        if (at && explorer_shown()?.open_at(at)) turn_to_frame();
+      }, { once: true });
       say(await play.explore(background, 'lcp', problem()));
     };
     const take = (text, at) => {
       show(text);
       return explore(at);
     };
-    by_id('examples').append(...Object.entries(examples).map(([name, [, , words]]) =>
+    by_id('examples').append(h('option', { value: '', hidden: true }, 'none: your own'), ...Object.entries(examples).map(([name, [, , words]]) =>
       h('option', { value: name }, words)));
     const example = () => take(examples[by_id('examples').value].slice(0, 2).join('\n'));
     by_id('examples').addEventListener('change', example);
@@ -66,7 +86,7 @@
       if (lcp && lcp !== problem()) take(lcp, at);
       else if (lcp) explorer_shown()?.open_at(at);
     });
-    return linked ? take(linked, linked_at) : example();
+    return take(linked || examples.two_by_two.slice(0, 2).join('\n'), linked_at);
   }
 
   play.raw = { start, examples };
