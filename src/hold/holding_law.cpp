@@ -63,14 +63,13 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   const bool is_proved = !std::isnan(pads);
   const double limit = is_proved ? std::min(pads, bound) : bound;
   if (!asks || !(limit > 0)) return limit;
-  const auto is_held = [&](double load, bool unknown) {
-    return load <= 0 || holds(1, load * wrench).value_or(unknown);
-  };
-  if (std::isfinite(limit) && is_held((1 - pads_.slack()) * limit, is_proved)) return limit;
+  // Points bear less than surfaces of all the load, as if the grip were less.
+  const double slack = pads_.slack(), most = (1 - slack) * limit;
+  if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) return limit;
   const double found =
       searched(std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm(), -1,
-               [&](double load) { return is_held(load, false); });
-  return found >= (1 - pads_.slack()) * limit ? limit : found;
+               [&](double load) { return load <= 0 || holds(1, load * wrench).value_or(false); });
+  return found >= most ? limit : found;
 }
 
 /// From what does not hold upwards or downwards: the nearest that is found to hold. What lies
