@@ -34,6 +34,8 @@ public:
   /// Of the sides, those on which it depends.
   const std::vector<bool>& counts() const { return counts_; }
   Index pusher() const { return pusher_; }
+  /// Of the motion in the plane (v_x, v_y, omega), a factor left out.
+  const std::array<Rational, 3>& direction() const { return twist_; }
   /// The outer points of the pusher, along z x n.
   Index first() const { return first_; }
   Index last() const { return last_; }

@@ -19,7 +19,8 @@ struct BoxSettings {
   /// long. Not measured.
   std::size_t plan_corners = 64;
   int halvings = 60, quick_halvings = 30; ///< of a margin; quick: where each is a program
-  double inside = 1e-9;                   ///< so far below a margin it is proved in fractions
+  double tie = 1e-30;   ///< N and N m: corners that differ by less do so by their intervals' roots
+  double inside = 1e-9; ///< so far below a margin it is proved in fractions
   double no_margin = 1 - 1e-6; ///< of a margin: frictions and forces that vanish make no difference
   double holding = 1e-6; ///< a load that takes so much less than the grip is held, whatever rounds
 };

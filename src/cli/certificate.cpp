@@ -14,6 +14,16 @@ constexpr double another_answer = 1e-6; // of the largest force: farther than ro
 bool write_certificate(const Arguments& arguments, const commands::Result& result) {
   const std::optional<std::string> path = arguments.text("certify");
   if (!path) return true;
+  if (result.box_certificate) {
+    if (!result.box_certificate->obstacle.empty()) {
+      tell("No certificate: " + result.box_certificate->obstacle + ", so " + *path +
+           " was not written.");
+      return false;
+    }
+    write_file(*path, result.box_certificate->json);
+    tell("Certificate in " + *path + ", for docs/check/lcpush_check_box.py.");
+    return true;
+  }
   std::optional<Certificate> certificate = result.certify();
   if (!certificate) {
     tell("No certificate: exact numbers do not confirm what rounded ones show, so " + *path +

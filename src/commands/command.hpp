@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/certify.hpp"
 #include "lcpush/desktop/stop.hpp"
 
@@ -35,6 +36,7 @@ struct Result {
   /// The proof of the answer, or none was found; empty where there is nothing to prove.
   std::function<std::optional<Certificate>()> certify = {};
   Stop stop = Stop::none; ///< what ended the work early: then this is what there was
+  std::optional<BoxCertificate> box_certificate = {}; ///< that of a box, if it is asked for
 };
 
 struct Command {

@@ -106,11 +106,20 @@ Result run_cone(const Values& values, Listener& listener) {
     file.lines.ranges = 0; // they are answered
     const Index pusher = values.pusher(file);
     const BoxAnswer box = judge_push(scene, twist);
-    return {box.verdict == BoxVerdict::always,
-            format == "json"   ? cone_json(file, find_cone(file, pusher, twist), &box)
-            : format == "toml" ? values.corner_scene(box)
-                               : box_text(file, box, "This push", "sticks", "may slip")};
+    Result result{box.verdict == BoxVerdict::always,
+                  format == "json"   ? cone_json(file, find_cone(file, pusher, twist), &box)
+                  : format == "toml" ? values.corner_scene(box)
+                                     : box_text(file, box, "This push", "sticks", "may slip")};
+    if (values.has("certify"))
+      result.box_certificate = result.is_good
+                                   ? certify_box(values.scene_document().text, scene, twist)
+                                   : BoxCertificate{"", "the push does not stick for every value"};
+    return result;
   }
+  if (values.has("certify"))
+    values.refuse("certify", values.label("certify") +
+                                 " proves a push for every value of a box; give " +
+                                 values.usage("tolerance"));
   if (format == "toml") (void)values.corner_scene({});
   const ConeReport report = find_cone(file, values.pusher(file), twist);
   return {report.status == Status::solved, format == "json" ? cone_json(file, report)
@@ -219,6 +228,8 @@ Command cone_command() {
                pressure_option,
                facets_option,
                tolerance_option,
+               {"certify", "FILE", "also write an exact proof for docs/check/lcpush_check_box.py",
+                false, true},
                verbose_option,
                format_option("text (default), json, svg or toml (a scene: the corner of a box at "
                              "which it slips); --json for short")}),

@@ -8,7 +8,7 @@ OVERVIEW = run().stderr
 COMMANDS = re.findall(r"^(?:[a-z]+| ) +([a-z]+)  ", OVERVIEW, flags=re.M)
 SLIDE = SCENES / "straight_slide.toml"
 MISSES = [  # words, what is said instead
-    (["certify"], "is no command but an option, of solve, break and lcp Try: lcpush solve SCENE.toml --certify FILE"),
+    (["certify"], "is no command but an option, of solve, break, cone and lcp Try: lcpush solve SCENE.toml --certify FILE"),
     (["gallery"], "an option, of play Try: lcpush play --gallery"),
     *((["sweep", SLIDE, "--vary", *words], 'write --vary "edge.friction=5:25"') for words in (
         ["edge.friction", "5", "25"], ["edge.friction", "5:25"], ["edge.friction=5", "25"], ["edge.friction=5,25"])),

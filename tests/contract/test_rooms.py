@@ -66,7 +66,7 @@ ROOMS = {
     "src/hold": ("How well does the grasp hold before any push?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/boxes": ("What holds for every value in a box?",
-                  f"{CORE} {TOOLBOX} desktop dense scenes solve cone hold"),
+                  f"{CORE} {TOOLBOX} desktop dense scenes solve cone hold certify"),
     "src/design": ("Which numbers let a push stick for the widest box?",
                    f"{CORE} {TOOLBOX} desktop dense scenes solve cone boxes"),
     "src/move": ("Where does the object end up in the grip?",

@@ -55,6 +55,13 @@ VariedScene with_tolerances(VariedScene scene, const std::vector<std::string>& t
 /// of the scene's ranges? Throws InputError as find_cone does. Cost: 2^numbers.
 BoxAnswer judge_push(const VariedScene& scene,
                      const std::optional<Vector6<double>>& twist = std::nullopt);
+/// The proof of `always` of judge_push, as JSON: of the scene file's text. `obstacle`: why there is
+/// none, a clause.
+struct BoxCertificate {
+  std::string json, obstacle;
+};
+BoxCertificate certify_box(const std::string& text, const VariedScene& scene,
+                           const std::optional<Vector6<double>>& twist = std::nullopt);
 /// Does the grasp hold before any push, for every value of the scene's ranges?
 BoxAnswer judge_hold(const VariedScene& scene);
 
