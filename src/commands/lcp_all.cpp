@@ -1,4 +1,6 @@
 // lcp --all: every solution of a raw problem, or of a game.
+#include <algorithm>
+
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
 #include "lcpush/desktop/all_solutions.hpp"
@@ -52,7 +54,7 @@ AllSolutions find_equilibria(const Values& values, const AllOptions& options, Al
 } // namespace
 
 Result find_all(const Values& values, Listener& listener) {
-  const std::string format = values.format();
+  const std::string format = values.format({"text", "json", "svg"});
   refuse_others(values);
   AllOptions options;
   options.most = values.whole("most", {1, most_solutions}).value_or(options.most);
@@ -61,11 +63,22 @@ Result find_all(const Values& values, Listener& listener) {
   wording.is_exact = values.has("exact");
   AllSolutions found;
   if (values.has("game")) {
+    if (format == "svg")
+      values.refuse("format", values.label("format") + " svg draws M and q, not a game");
     found = find_equilibria(values, options, wording);
   } else {
     const ExactMatrices typed = values.exact_matrices();
     refuse_larger(values, typed.M.rows, "unknowns");
+    if (format == "svg" && (typed.M.rows < 2 || typed.M.rows > 3))
+      values.refuse("format", values.label("format") + " svg draws two or three unknowns, not " +
+                                  std::to_string(typed.M.rows));
     found = all_solutions(typed.M, typed.q, typed.free, options);
+    if (format == "svg")
+      return {found.complete(),
+              all_solutions_svg(found, typed.M, typed.q,
+                                std::count(typed.free.begin(), typed.free.end(), 0) == 2),
+              {},
+              found.stop};
   }
   return {found.complete(),
           format == "json" ? all_solutions_json(found, wording)

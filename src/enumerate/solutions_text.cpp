@@ -31,24 +31,8 @@ std::string several(Index count, const std::string& word) {
          (is_latin ? word.substr(0, word.size() - 2) + "a" : word + "s");
 }
 
-std::string sentence(const AllSolutions& found, const std::string& noun) {
-  std::map<std::string, Index> counts;
-  for (const SolutionSet& set : found.sets) ++counts[kind_of(set)];
-  const bool is_plain = counts.size() == counts.count(kinds[0]); // isolated ones alone, or none
-  std::vector<std::string> parts;
-  for (const std::string& kind : kinds)
-    if (const auto place = counts.find(kind); place != counts.end())
-      parts.push_back(
-          several(place->second, kind != kinds[0] ? kind : (is_plain ? "" : "isolated ") + noun));
-  std::string text = parts.empty()      ? "There is no " + noun
-                     : found.complete() ? listed(parts, "and")
-                                        : "at least " + listed(parts, "and");
-  if (!is_plain) text += " of " + several(2, noun).substr(2);
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  if (found.complete()) return text + (parts.empty() ? ".\n" : ", and that is all.\n");
-  return (parts.empty() ? "No " + noun + " was found yet" : text) +
-         "; there may be more: the search ended " +
-         (found.stop == Stop::none ? "at --most " + std::to_string(found.most) : "early") + ".\n";
+std::string noun_of(const AllWording& wording) {
+  return wording.rows > 0 ? "equilibrium" : kinds[0];
 }
 
 /// The table's first row.
@@ -96,10 +80,31 @@ std::string table_of(const TableRows& rows, bool is_full) {
 
 } // namespace
 
+std::string all_solutions_sentence(const AllSolutions& found, const AllWording& wording) {
+  const std::string noun = noun_of(wording);
+  std::map<std::string, Index> counts;
+  for (const SolutionSet& set : found.sets) ++counts[kind_of(set)];
+  const bool is_plain = counts.size() == counts.count(kinds[0]); // isolated ones alone, or none
+  std::vector<std::string> parts;
+  for (const std::string& kind : kinds)
+    if (const auto place = counts.find(kind); place != counts.end())
+      parts.push_back(
+          several(place->second, kind != kinds[0] ? kind : (is_plain ? "" : "isolated ") + noun));
+  std::string text = parts.empty()      ? "There is no " + noun
+                     : found.complete() ? listed(parts, "and")
+                                        : "at least " + listed(parts, "and");
+  if (!is_plain) text += " of " + several(2, noun).substr(2);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  if (found.complete()) return text + (parts.empty() ? ".\n" : ", and that is all.\n");
+  return (parts.empty() ? "No " + noun + " was found yet" : text) +
+         "; there may be more: the search ended " +
+         (found.stop == Stop::none ? "at --most " + std::to_string(found.most) : "early") + ".\n";
+}
+
 std::string all_solutions_text(const AllSolutions& found, const AllWording& wording,
                                Telling telling) {
   const bool is_full = telling == Telling::full, has_w = is_full || wording.rows > 0;
-  const std::string noun = wording.rows > 0 ? "equilibrium" : kinds[0];
+  const std::string noun = noun_of(wording);
   TableRows rows;
   std::map<std::string, int> counts;
   std::map<Index, std::vector<std::string>> together;
@@ -128,7 +133,7 @@ std::string all_solutions_text(const AllSolutions& found, const AllWording& word
     }
     below += "Connected: " + listed(names, "and") + ".\n";
   }
-  std::string text = sentence(found, noun);
+  std::string text = all_solutions_sentence(found, wording);
   if (!rows.empty()) text += "\n" + table_of(rows, is_full);
   if (!below.empty()) text += "\n" + below;
   if (found.complete())

@@ -1,33 +1,25 @@
 // A run as a picture that stands still: two pairs among their complementary cones, others by z0.
+#include "draw/cone_plane.hpp"
 #include "draw/markup.hpp"
 #include "draw/plot_svg.hpp"
 #include "lcpush/desktop/pivots.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace lcpush::desktop {
 namespace {
 
-using Plane = Eigen::Vector2d;
+constexpr double side = ConeView::side;
+const char* const style = ".drawing .run { color: var(--friction); }\n"
+                          ".drawing .run .shaft { stroke: var(--friction); stroke-width: 2.6; "
+                          "stroke-dasharray: 5 4; }\n";
 
-constexpr double side = 480, edge = 46; // of the picture, and about what is drawn
-const char* const style = ".drawing .sector { fill: var(--soft); fill-opacity: 0.08; }\n"
-                          ".drawing .zw { fill: var(--move); fill-opacity: 0.17; }\n"
-                          ".drawing .wz { fill: var(--cone); fill-opacity: 0.2; }\n"
-                          ".drawing .zz { fill: var(--normal); fill-opacity: 0.17; }\n"
-                          ".drawing .border { stroke: var(--ink); stroke-width: 1.6; }\n"
-                          ".drawing .run { color: var(--friction); }\n"
-                          ".drawing .run .shaft, .drawing .way { stroke: var(--friction); "
-                          "stroke-width: 2.6; fill: none; }\n"
-                          ".drawing .run .shaft { stroke-dasharray: 5 4; }\n"
-                          ".drawing .dot { fill: var(--friction); stroke: var(--raised); }\n";
-
-/// The plane of q: the columns of w1, w2, z1, z2, and q + z0 d after each pivot.
+/// The cones, and q + z0 d after each pivot.
 struct ConePlane {
-  std::vector<Plane> columns{{1, 0}, {0, 1}}, points;
+  ConeColumns cones{{{1, 0}, {0, 1}}, {}};
+  std::vector<Plane> points;
   Plane q, d;
   double lifted = 0; ///< z0 where the run is drawn to come from
 
@@ -45,8 +37,9 @@ ConePlane cone_plane(const PivotTrace& trace) {
     return Plane(start.entry(0, j).value, start.entry(1, j).value);
   };
   ConePlane plane;
-  plane.columns.emplace_back(-column(0));
-  plane.columns.emplace_back(-column(1));
+  plane.cones.columns.emplace_back(-column(0));
+  plane.cones.columns.emplace_back(-column(1));
+  for (Index k = 0; k < 4; ++k) plane.cones.names.push_back(trace.name(k));
   plane.d = column(2);
   plane.q = {start.values[0].finite.value, start.values[1].finite.value};
   for (const TracedPivot& pivot : trace.pivots) {
@@ -54,54 +47,6 @@ ConePlane cone_plane(const PivotTrace& trace) {
     plane.points.push_back(plane.at(pivot.z0.finite.value));
   }
   return plane;
-}
-
-/// From the plane of q to pixels: all points of the run in sight, and the origin.
-struct ConeView {
-  Plane middle;
-  double unit;
-
-  explicit ConeView(const ConePlane& plane) {
-    Plane low = Plane::Zero(), high = Plane::Zero();
-    for (const Plane& p : {plane.q, plane.at(plane.lifted)}) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    middle = (low + high) / 2;
-    unit = (side - 2 * edge) / (high - low).maxCoeff();
-  }
-  Pixel operator()(const Plane& p) const {
-    return {side / 2 + unit * (p.x() - middle.x()), side / 2 - unit * (p.y() - middle.y())};
-  }
-  /// Where a ray from the origin leaves the picture, less a `margin`.
-  Pixel end_of(const Plane& ray, double margin) const {
-    const Pixel from = (*this)(Plane::Zero()), along(ray.x(), -ray.y());
-    double reach = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 2; ++k)
-      if (along[k] != 0)
-        reach = std::min(reach, ((along[k] > 0 ? side - margin : margin) - from[k]) / along[k]);
-    return from + reach * along;
-  }
-};
-
-/// The cone of two columns, its name where its middle leaves the picture.
-std::string sector(const ConePlane& plane, const ConeView& view, std::size_t a, std::size_t b,
-                   const PivotTrace& trace) {
-  const Plane one = plane.columns[a].normalized(), other = plane.columns[b].normalized();
-  const Plane between = one + other;
-  if (!(between.norm() > 1e-9) || !(one.norm() * other.norm() > 0)) return {}; // it has no inside
-  const double far = 4 * side / view.unit;
-  const char* const kind = a > 1   ? b > 1 ? "sector zz" : "sector zw"
-                           : b > 1 ? "sector wz"
-                                   : "sector";
-  const Pixel end = view.end_of(between, 0), origin = view(Plane::Zero());
-  const Pixel name = (origin + 0.7 * (end - origin)).cwiseMax(edge).cwiseMin(side - edge);
-  return polygon_element(
-             kind, {origin, view(far * one), view(far * between.normalized()), view(far * other)}) +
-         text_element("label strong", name,
-                      trace.name(static_cast<Index>(a)) + " and " +
-                          trace.name(static_cast<Index>(b)),
-                      "middle");
 }
 
 std::string number_of(const TraceNumber& x) { return value_text({{}, x}); }
@@ -134,7 +79,7 @@ std::string run_elements(const PivotTrace& trace, const ConePlane& plane, const 
 
 std::string cones_svg(const PivotTrace& trace) {
   const ConePlane plane = cone_plane(trace);
-  const ConeView view(plane);
+  const ConeView view({plane.q, plane.at(plane.lifted)});
   Drawing drawing;
   drawing.width = drawing.height = side;
   drawing.title = "The complementary cones of two pairs, and the run through them";
@@ -144,24 +89,9 @@ std::string cones_svg(const PivotTrace& trace) {
     drawing.description += " pivot " + std::to_string(k) +
                            ": z0 = " + number_of(trace.pivots[k].z0.finite) + ", " +
                            trace.name(trace.pivots[k].leaving) + " leaves;";
-  std::string names;
-  for (const auto& [a, b] :
-       std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {2, 1}, {0, 3}, {2, 3}}) {
-    const std::string both = sector(plane, view, a, b, trace);
-    const std::size_t cut = both.find("<text");
-    drawing.elements += both.substr(0, cut);
-    if (cut != std::string::npos) names += both.substr(cut);
-  }
-  for (std::size_t k = 0; k < plane.columns.size(); ++k) {
-    if (!(plane.columns[k].norm() > 0)) continue;
-    drawing.elements +=
-        line_element("border", view(Plane::Zero()), view.end_of(plane.columns[k], 30));
-    names += text_element("label", view.end_of(plane.columns[k], 16) + Pixel(0, 5),
-                          trace.name(static_cast<Index>(k)), "middle");
-  }
-  drawing.elements += names + run_elements(trace, plane, view);
-  return svg_element(drawing,
-                     "<style>\n" + palette(".drawing") + drawing_style() + style + "</style>\n");
+  drawing.elements = cone_elements(plane.cones, view) + run_elements(trace, plane, view);
+  return svg_element(drawing, "<style>\n" + palette(".drawing") + drawing_style() + cone_style() +
+                                  style + "</style>\n");
 }
 
 /// z0 after each pivot.

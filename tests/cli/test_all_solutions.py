@@ -6,6 +6,7 @@ import itertools
 import random
 import sys
 from fractions import Fraction
+from xml.etree import ElementTree
 
 from tool import command, json_of, main, ToolTest
 
@@ -140,6 +141,25 @@ class AllSolutions(ToolTest):
                 x, y = list(map(Fraction, one["row"])), list(map(Fraction, one["column"]))
                 pays = [dot(x, [dot(row, y) for row in matrix]) for matrix in (A, B)]
                 self.assertEqual(list(map(Fraction, one["payoffs"])), pays)
+
+    def test_as_many_cones_hold_q_as_there_are_solutions_drawn(self):
+        for M, q, count in (("1 2; 2 1", "-2 -2", 3), ("2 1; 1 2", "-5 -6", 1), ("1 2; 2 1", "3 1", 1), ("-1 0; 0 -1", "1 2", 4),
+                            ("1 2; 3 1", "-2 -5", 3), ("1 3; 2 1", "-2 -5", 1)):
+            svg = ElementTree.fromstring(lcp("--all", "--M", M, "--q", q, "--format", "svg").stdout)
+            at = [tuple(float(e.get(k)) for k in ("cx", "cy")) for e in svg.iter() if e.get("class") == "dot"]
+            cones = [[tuple(map(float, c.split(","))) for c in e.get("points").split()] for e in svg.iter()
+                     if (e.get("class") or "").split(" ")[0] == "sector"]
+            side = lambda a, b, p: (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+            within = [{side(a, b, at[0]) > 0 for a, b in zip(cone, cone[1:] + cone[:1])} for cone in cones]
+            self.assertEqual(sum(len(sides) == 1 for sides in within), count, M)
+            self.assertEqual(len(at), 1 + count)
+            if M == "1 2; 2 1" and count == 3:  # (0, 2), (2, 0) and (2/3, 2/3) on axes of one scale
+                (left, _), (x, y), (_, low) = sorted(at[1:])
+                self.assertAlmostEqual((x - left) / (low - y), 1, 2)
+        for words in (("--M", "1", "--q", "-1"), ("--game", "1", "1")):
+            self.assertEqual(lcp("--all", *words, "--format", "svg").returncode, 2)
+        space = lcp("--all", "--M", rows([[1] * 3] * 3), "--q", "-1 -1 -1", "--format", "svg").stdout
+        self.assertEqual((space.count('class="dot"'), space.count("sector zz solution")), (3, 1))
 
     def test_games_of_the_textbooks(self):
         for A, B, isolated, parts in [

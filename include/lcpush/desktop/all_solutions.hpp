@@ -59,8 +59,13 @@ struct AllWording {
   Index rows = 0;
   bool is_exact = false; ///< fractions; else the nearest doubles
 };
+/// "3 solutions, and that is all."
+std::string all_solutions_sentence(const AllSolutions& found, const AllWording& wording = {});
 std::string all_solutions_text(const AllSolutions& found, const AllWording& wording,
                                Telling telling);
 std::string all_solutions_json(const AllSolutions& found, const AllWording& wording);
+/// Of w = M z + q with two or three unknowns; of two without a free row q among its cones as well.
+std::string all_solutions_svg(const AllSolutions& found, const ExactMatrix& M, const ExactMatrix& q,
+                              bool has_cones);
 
 } // namespace lcpush::desktop
