@@ -90,6 +90,7 @@ private:
   void bound_forces();
   double compliance(Index point) const { return assembled_.work.pressure.compliance[point]; }
   Eigen::VectorXd normal_of(Index body, Index point) const;
+  bool is_pressure_tied() const;
   void add_pads();
   void add_patch(Index body);
   void follow(const Eigen::VectorXd& normal, double preload, bool parts);
