@@ -62,8 +62,9 @@ template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
   const Index n = n_;
   VectorMap<S> z = solution_of(rhs), left = tie_column(0), response = tie_column(1);
   read(rhs);
+  const S barely = options_.tolerances.residual / S(LemkeSettings::barely);
   S before(-1);
-  for (int pass = 0; pass < LemkeSettings::refinements; ++pass) {
+  for (int pass = 0; pass < LemkeSettings::refinements || before > barely; ++pass) {
     basis_.product(z.data(), left.data());
     const S* const given = right_hand_side(rhs);
     for (Index j = 0; j < n; ++j) left[j] = (left[j] + given[j]) * row_scale_[j];
