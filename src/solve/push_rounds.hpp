@@ -13,11 +13,16 @@
 
 namespace lcpush::desktop {
 
-/// A slow push moves everything slowly: what is left of [T.2] must be small against that.
+/// A slow push moves everything slowly: what is left of [T.2] must be small against that, and what
+/// round friction is off by, too.
 inline PressureOptions<double> pressure_options(const Assembly<double>& assembly, double sigma) {
   PressureOptions<double> options;
   const double push = sigma * push_size(assembly.scene()) / assembly.layout().scales.acceleration;
-  if (push > 0 && push < 1) options.tolerance *= std::max(push, 1e-4);
+  if (push > 0 && push < 1) {
+    options.tolerance *= std::max(push, 1e-4);
+    options.finest = options.tolerance;
+    options.fine_rounds = SolveSettings().fine_rounds;
+  }
   return options;
 }
 

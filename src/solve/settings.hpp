@@ -23,6 +23,9 @@ struct SolveSettings {
   Index near_pivots = 4;
   /// The residual of a sweep's answer is divided by this where the laws refuse it.
   double stricter = 100;
+  /// More rounds of round friction that has settled, until a slow push stands out from what it is
+  /// off by: Newton's method is exact to rounding after one or two.
+  Index fine_rounds = 3;
   // Does it hold? (rest_verdict.cpp)
   /// A load that needs this much more grip falls: what rounding leaves of the least factor.
   double short_of_load = 1e-6;
