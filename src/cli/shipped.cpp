@@ -14,10 +14,11 @@
 namespace lcpush::cli {
 namespace {
 
+void tell_next(const std::string& path) { tell("Wrote " + path + "; next: lcpush solve " + path); }
+
 int write_new(const Arguments& arguments, const std::string& text) {
   write_output(arguments, text);
-  if (const auto path = arguments.text("output"))
-    tell("Wrote " + *path + "; next: lcpush solve " + *path);
+  if (const auto path = arguments.text("output")) tell_next(*path);
   return 0;
 }
 
@@ -66,36 +67,53 @@ struct Question {
   std::string NewScene::*value;
 };
 constexpr Question questions[] = {
-    {"size", "How large, edge by edge along x, y and z, or diameter x length?", &NewScene::size},
-    {"mass", "How heavy?", &NewScene::mass},
-    {"pads", "How large is a pad of the fingers, one number if it is round?", &NewScene::pads},
     {"push", "What does the push: slide, pivot, roll (a cylinder) or none?", &NewScene::push},
-    {"grip", "", &NewScene::grip},
-    {"friction", "", &NewScene::friction},
+    {"size", "How large (a box: x, y, z; a cylinder: diameter x length)?", &NewScene::size},
+    {"mass", "How heavy?", &NewScene::mass},
+    {"pads", "How large is a pad of the fingers (one number: round)?", &NewScene::pads},
+    {"friction", "What is the friction of the pads?", &NewScene::friction},
+    {"grip", "How hard does each finger grip?", &NewScene::grip},
 };
 
-/// On a terminal: a line each, empty for what is usual; a bad one is asked for again.
+/// On a terminal: the line that answers, `usual` if it is empty.
+std::string asked(const std::string& words, const std::string& usual) {
+  std::cerr << words << " [" << usual << "] " << std::flush;
+  std::string line;
+  if (!std::getline(std::cin, line)) throw UsageError("the answers end before the questions");
+  line = trimmed(line);
+  return line.empty() ? usual : line;
+}
+
+/// A line each; a bad one is asked for again.
 NewScene asked_scene() {
   NewScene scene;
   const auto ask = [&scene](const std::string& words, std::string NewScene::*value) {
-    const std::string usual = usual_scene(scene.object, scene.push).*value;
+    const std::string usual = usual_scene(scene).*value;
     for (bool is_good = false; !is_good;) {
-      std::cerr << words << " [" << usual << "] " << std::flush;
-      std::string& line = scene.*value;
-      if (!std::getline(std::cin, line)) throw UsageError("the answers end before the questions");
-      line = trimmed(line);
-      if (line.empty()) line = usual;
+      scene.*value = asked(words, usual);
       try {
         is_good = !new_scene(scene).empty();
       } catch (const InputError& error) {
-        tell(error.what());
+        std::string why = error.what();
+        for (std::size_t at; (at = why.find("--")) != std::string::npos;) why.erase(at, 2);
+        tell(why);
+        scene.*value = usual;
       }
     }
   };
   ask("Box or cylinder?", &NewScene::object);
-  for (const Question& question : questions)
-    if (*question.words != '\0') ask(question.words, question.value);
+  for (const Question& question : questions) ask(question.words, question.value);
   return scene;
+}
+
+/// Where what was asked for is to be written; empty: it was said before.
+std::string asked_file(const std::string& object) {
+  std::error_code ignored;
+  for (;;) {
+    const std::string path = asked("Which file?", object + ".toml");
+    if (!std::filesystem::exists(path, ignored)) return path;
+    tell(desktop::quoted(path) + " exists already; name another");
+  }
 }
 
 int run_new(const Arguments& arguments) {
@@ -120,6 +138,12 @@ int run_new(const Arguments& arguments) {
   try {
     if (asks) scene = asked_scene();
     const std::string text = new_scene(scene); // what is refused is refused of starters as well
+    if (asks && into.empty()) {
+      const std::string path = asked_file(scene.object);
+      write_file(path, text);
+      tell_next(path);
+      return 0;
+    }
     const std::vector<ShippedScene> starters = scene_templates();
     const std::string* const starter = scene_called(starters, scene.object + "_" + scene.push);
     return write_new(arguments, is_own || asks || starter == nullptr ? text : *starter);
@@ -152,7 +176,7 @@ ShellCommand new_command() {
        "    --pads \"20 mm x 10 mm\" -o block.toml\n",
        {{"push", "MOTION", "slide (default), pivot, roll (a cylinder) or none"},
         {"size", "SIZE", "\"80 mm x 40 mm x 20 mm\"; of a cylinder diameter x length"},
-        {"mass", "MASS", "\"120 g\""},
+        {"mass", "MASS", "\"120 g\" (of your size: that of aluminium)"},
         {"pads", "SIZE", "of the fingertips: \"20 mm x 10 mm\", or round \"8 mm\""},
         {"grip", "FORCE", "\"20 N\", of each finger (four times what holds the weight)"},
         {"friction", "NUMBER", "of the fingertips (0.5)"},

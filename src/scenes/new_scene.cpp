@@ -8,20 +8,17 @@
 #include "text/wording.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace lcpush::desktop {
 
-NewScene usual_scene(const std::string& object, const std::string& push) {
-  NewScene usual{object, push, "100 mm x 30 mm x 10 mm", "200 g", "10 mm", "", "0.5"};
-  if (object == "cylinder") usual.size = push == "roll" ? "40 mm x 60 mm" : "20 mm x 100 mm";
-  if (push == "roll") usual.friction = "0.3";
-  return usual;
-}
-
 namespace {
 
-constexpr double earth = 9.81; // m/s^2
+constexpr double earth = 9.81;     // m/s^2
+constexpr double aluminium = 2700; // kg/m^3, where nobody says how heavy the object is
+constexpr double usual_pad = 0.01; // m
+constexpr double too_large = 3;    // m, to be gripped
 
 /// A number with its unit, as it was typed.
 struct Quantity {
@@ -44,31 +41,49 @@ std::string commented(std::string line, const std::string& comment) {
 
 class Writer {
 public:
-  explicit Writer(const NewScene& given) : given_(given), is_box_(given.object == "box") {
-    size_ =
-        quantities("size", given.size, "[object]\nbox", usual_scene(given.object, given.push).size);
+  /// Fills in what is usual.
+  explicit Writer(NewScene given) : given_(std::move(given)), is_box_(given_.object == "box") {
+    const bool rolls = given_.push == "roll";
+    const bool is_own = !given_.size.empty();
+    if (!is_own)
+      given_.size = is_box_ ? "100 mm x 30 mm x 10 mm" : rolls ? "40 mm x 60 mm" : "20 mm x 100 mm";
+    size_ = quantities("size", given_.size, "[object]\nbox",
+                       is_box_ ? "80 mm x 40 mm x 20 mm" : "20 mm x 100 mm");
     if (size_.size() != (is_box_ ? 3 : 2))
-      refuse("size", given.size,
+      refuse("size", given_.size,
              is_box_ ? "a box has three edges, \"80 mm x 40 mm x 20 mm\""
                      : "a cylinder has a diameter and a length, \"20 mm x 100 mm\"");
-    mass_ = only("mass", given.mass, "[object]\nmass", "120 g");
-    pads_ = quantities("pads", given.pads, "[object]\nbox", "20 mm x 10 mm");
-    if (pads_.size() > 2)
-      refuse("pads", given.pads, "a pad has two edges, \"20 mm x 10 mm\", or is round, \"8 mm\"");
+    if (size_.front().unit.empty() && size_.front().si > too_large)
+      refuse("size", given_.size, "these are metres; write \"80 mm x 40 mm x 20 mm\"");
+    if (given_.mass.empty())
+      given_.mass = is_own ? in_digits(1000 * usual_mass(), 2) + " g" : "200 g";
+    mass_ = only("mass", given_.mass, "[object]\nmass", "120 g");
     const double along = size_[is_box_ ? 0 : 1].si;
+    const double room = is_box_ ? std::min(along, size_[1].si) : along;
+    if (given_.pads.empty())
+      given_.pads = in_digits(1000 * std::min(usual_pad, room / 2), 2) + " mm";
+    pads_ = quantities("pads", given_.pads, "[object]\nbox", "20 mm x 10 mm");
+    if (pads_.size() > 2)
+      refuse("pads", given_.pads, "a pad has two edges, \"20 mm x 10 mm\", or is round, \"8 mm\"");
     if (pads_.front().si > along || (is_box_ && pads_.back().si > size_[1].si))
-      refuse("pads", given.pads,
+      refuse("pads", given_.pads,
              "larger than where they press, " + millimetres(along) +
                  (is_box_ ? " x " + millimetres(size_[1].si) : " of the cylinder"));
-    const NumberText friction = read_finite_number(given.friction);
+    if (given_.friction.empty()) given_.friction = rolls ? "0.3" : "0.5";
+    const NumberText friction = read_finite_number(given_.friction);
     if (friction.error || !(friction.value > 0))
-      refuse("friction", given.friction, "a coefficient such as 0.5 is meant");
+      refuse("friction", given_.friction, "a coefficient such as 0.5 is meant");
+    const double weight = mass_.si * earth, holds = weight / (2 * friction.value);
     // Four times what holds the weight; or little enough to roll.
-    const double usual =
-        given.push == "roll" ? 0.8 * mass_.si * earth : 2 * mass_.si * earth / friction.value;
-    grip_ = only("grip", given.grip.empty() ? in_digits(usual, 2) + " N" : given.grip,
-                 "[object]\n[[finger]]\ngrip_force", "20 N");
+    if (given_.grip.empty()) given_.grip = in_digits(rolls ? 0.8 * weight : 4 * holds, 2) + " N";
+    grip_ = only("grip", given_.grip, "[object]\n[[finger]]\ngrip_force", "20 N");
+    if (rolls ? grip_.si > weight : grip_.si < holds)
+      grip_comment_ = rolls ? "too hard to roll; " + in_digits(0.8 * weight, 2) + " N would"
+                            : "too weak: its weight takes " + brief(holds) + " N";
   }
+
+  /// With what is usual in the place of what nobody gave.
+  const NewScene& scene() const { return given_; }
 
   std::string text() const {
     std::string text =
@@ -90,6 +105,12 @@ public:
   }
 
 private:
+  double usual_mass() const {
+    const double d = size_[0].si;
+    const double volume = is_box_ ? d * size_[1].si * size_[2].si : M_PI / 4 * d * d * size_[1].si;
+    return aluminium * volume;
+  }
+
   [[noreturn]] static void refuse(const std::string& option, const std::string& typed,
                                   const std::string& why) {
     throw InputError("--" + option + " " + quoted(typed) + ": " + why);
@@ -157,7 +178,7 @@ private:
     return "\n[[finger]]\nname = \"" + name + "\"\n" + place(side) +
            commented("friction = " + given_.friction,
                      first("docs/guide/materials.md has that of rubber, steel, ..")) +
-           commented("grip_force = " + grip_.text(), first("the same on both: a parallel jaw"));
+           commented("grip_force = " + grip_.text(), first(grip_comment_.c_str()));
   }
 
   /// Of the finger on this side of the object.
@@ -206,15 +227,15 @@ private:
            "friction = 0.3\n" + across;
   }
 
-  const NewScene given_;
+  NewScene given_;
   const bool is_box_;
   std::vector<Quantity> size_, pads_;
   Quantity mass_, grip_;
+  std::string grip_comment_ = "the same on both: a parallel jaw";
 };
 
-} // namespace
-
-std::string new_scene(const NewScene& given) {
+/// Throws InputError if there is no such object, or no such push of it.
+void expect_known(const NewScene& given) {
   const std::vector<std::string> objects = {"box", "cylinder"},
                                  pushes = {"slide", "pivot", "roll", "none"};
   if (std::find(objects.begin(), objects.end(), given.object) == objects.end())
@@ -225,11 +246,18 @@ std::string new_scene(const NewScene& given) {
                      suggestion(given.push, pushes));
   if (given.object == "box" && given.push == "roll")
     throw InputError("a box does not roll; try: lcpush new cylinder --push roll");
-  NewScene scene = usual_scene(given.object, given.push);
-  for (auto key :
-       {&NewScene::size, &NewScene::mass, &NewScene::pads, &NewScene::grip, &NewScene::friction})
-    if (!(given.*key).empty()) scene.*key = given.*key;
-  const std::string text = Writer(scene).text();
+}
+
+} // namespace
+
+NewScene usual_scene(const NewScene& given) {
+  expect_known(given);
+  return Writer(given).scene();
+}
+
+std::string new_scene(const NewScene& given) {
+  expect_known(given);
+  const std::string text = Writer(given).text();
   const std::vector<SceneDoubt> doubts = check_scene(parse_scene(text, "new"));
   if (doubts.empty()) return text;
   throw InputError(

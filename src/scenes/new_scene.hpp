@@ -20,7 +20,7 @@ struct NewScene {
 /// scene would not be read, or something about it would look odd.
 std::string new_scene(const NewScene& given);
 
-/// What is usual for this object and push.
-NewScene usual_scene(const std::string& object, const std::string& push);
+/// What is given, and what is usual of the rest. Throws InputError as new_scene does.
+NewScene usual_scene(const NewScene& given);
 
 } // namespace lcpush::desktop

@@ -18,7 +18,7 @@ MADE = [
     ("box", "--push none", ['on = "-z"']),
 ]
 REFUSED = [
-    ("box --size 80x40x20", "check --size and --mass, and their units"), ("box --mass 120", "and their units"),
+    ("box --size 80x40x20", "these are metres"), ("box --mass 120", "and their units"),
     ('box --size "3 in x 2 in x 1 in"', '"in" is not read, 1 in is 25.4 mm; m, cm, mm or um'),
     ('box --size "80 mm x 40 mm"', 'a box has three edges, "80 mm x 40 mm x 20 mm"'),
     ('cylinder --size "1 mm x 2 mm x 3 mm"', "a cylinder has a diameter and a length"),
@@ -84,6 +84,12 @@ class New(ToolTest):
             twist = json_of("solve", "-", text=text)["object"]["acceleration"]
             self.assertGreater(abs(twist[column]), least / 10, push)
 
+    def test_light_parts_in_a_hard_grip_solve(self):
+        """The points of a disc that lie beside the centre of the turn hardly slip."""
+        for mass, grip in (("8 g", "20 N"), ("20 g", "40 N"), ("50 g", "80 N")):
+            text = run("new", "box", "--size", "20 mm x 12 mm x 11 mm", "--mass", mass, "--grip", grip, "--push", "pivot").stdout
+            self.assertEqual(json_of("solve", "-", text=text)["friction"]["settled"], True)
+
     def test_what_is_refused(self):
         for typed, said in REFUSED:
             with self.subTest(typed):
@@ -93,14 +99,15 @@ class New(ToolTest):
 
     def test_a_terminal_is_asked(self):
         ours, theirs = pty.openpty()
-        os.write(ours, "cylinder\n\n120\n120 g\n8 mm\npivot\n".encode())
         scene = self.path / "asked.toml"
-        tool = subprocess.run([TOOL, "new", "-o", scene], stdin=theirs, stdout=theirs, stderr=theirs, timeout=60)
+        os.write(ours, f"cylinder\npivot\n10 mm x 40 mm\n120\n8 g\n8 mm\n\n\n{scene}\n".encode())
+        tool = subprocess.run([TOOL, "new"], stdin=theirs, stdout=theirs, stderr=theirs, timeout=60)
         said = unwrapped(os.read(ours, 10000).decode())
         self.assertEqual(tool.returncode, 0, said)
         self.assertIn("Box or cylinder? [box]", said)
-        self.assertIn("and their units How heavy? [200 g]", said)  # asked again
-        same = run("new", "cylinder", "--size", "20 mm x 100 mm", "--mass", "120 g", "--pads", "8 mm", "--push", "pivot")
+        self.assertIn("and their units How heavy? [8.5 g]", said)  # asked again
+        self.assertIn("next: lcpush solve", said)
+        same = run("new", "cylinder", "--size", "10 mm x 40 mm", "--mass", "8 g", "--pads", "8 mm", "--push", "pivot")
         self.assertEqual(scene.read_text(), same.stdout)
 
 
