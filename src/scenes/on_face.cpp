@@ -73,7 +73,12 @@ std::pair<Rational, Rational> edge_on_face(const TableReader& object, const Tabl
                              "offset 0, or give ends and normal instead of on");
     half = radius;
   }
-  if (!contact.has("length")) return {-half, half};
+  if (!contact.has("length")) {
+    if (offset[along] != Rational(0))
+      contact.fail("center", "without a length the edge is as long as the face along " +
+                                 axis_name(along) + "; give a length, or leave this offset 0");
+    return {-half, half};
+  }
   if (contact.has("shift")) { // what lies beside the face is cut off where it then stands
     const Rational reach = contact.number<Rational>("length", Sign::positive) / Rational(2);
     return {offset[along] - reach, offset[along] + reach};
