@@ -183,6 +183,10 @@ void read_tilt(const std::string& file, TomlTable& object) {
       throw InputError(file, entry.value.line,
                        "object: tilt is an angle about an axis, such as \"20 deg about z\"; about "
                        "another one, write rotation = [x, y, z, \"20 deg\"]");
+    const auto& angle = std::get<std::string>(std::get<TomlArray>(rotation->data).back().data);
+    if (!read_finite_number(trimmed(angle)).error)
+      throw InputError(file, entry.value.line,
+                       "object: tilt has no unit; write \"20 deg about z\"");
     entry.key = "rotation";
     entry.value = *rotation;
   }

@@ -176,6 +176,8 @@ private:
     const Schema& schema = schema_of(found.front().first);
     if (is_turn() ? is_body(found.front().first) : key_called(found.front().first, key_) != nullptr)
       return found;
+    if (with_key.size() > 1 && key_called("finger", key_) != nullptr)
+      with_key = {"*." + key_ + " for all of them", with_key.front()};
     fail("no key " + quoted(key_) +
          (with_key.empty() ? key_hint(schema, key_) : "; write " + listed(with_key, "or")));
   }
@@ -231,6 +233,25 @@ private:
   TomlValue value_{1, 0.0};
 };
 
+/// What a scene refuses is not in its file's lines where it came from here.
+void expect_scene(const std::string& text, const std::string& before, const std::string& file,
+                  const std::string& said) {
+  try {
+    parse_scene(text, file);
+  } catch (const InputError& error) {
+    try {
+      parse_scene(before, file);
+    } catch (const InputError&) {
+      return; // so does the file
+    }
+    const std::string what = error.what();
+    const std::size_t line = what.compare(0, file.size() + 1, file + ":") == 0
+                                 ? what.find(": ", file.size() + 1) + 2
+                                 : 0;
+    throw InputError(said + ": " + what.substr(line));
+  }
+}
+
 } // namespace
 
 std::string with_values(std::string text, const std::string& file, const std::string& label,
@@ -241,6 +262,7 @@ std::string with_values(std::string text, const std::string& file, const std::st
   });
   const auto hand = [&] { return build_scene<double>(parse_scene_tables(text, file)).hand; };
   const Hand before = is_gripped ? hand() : Hand::fixed;
+  const std::string original = text;
   bool is_hand_chosen = false;
   std::vector<std::string> said;
   for (const std::string& one : given) {
@@ -253,6 +275,9 @@ std::string with_values(std::string text, const std::string& file, const std::st
   if (before == Hand::parallel && !is_hand_chosen && hand() != before)
     throw InputError(label + ": the two fingers are a parallel jaw, with one grip force; write " +
                      label + " \"*.grip_force=..\", or add " + label + " gripper.jaws=independent");
+  if (given.empty()) return text;
+  expect_scene(text, original, file,
+               label + (given.size() == 1 ? " " + quoted(given.front()) : ""));
   if (said.empty()) return text;
   EditedText titled(std::move(text), file);
   const TomlValue* const title = titled.document.root.find("title");

@@ -22,11 +22,11 @@ SET = [
 ]
 REFUSED = [
     ("pin.fricton=1", 'no key "fricton" (did you mean "friction"?)'), ("left.mu=1", 'did you mean "friction"'),
-    ("friction=1", 'no key "friction"; write left.friction, right.friction or pin.friction'),
+    ("friction=1", 'no key "friction"; write *.friction for all of them or left.friction'),
     ("mass=1", "write object.mass"), ("pinn.friction=1", 'nothing is called "pinn" (did you mean "pin"?)'),
     ("*.mass=1", "no finger or pusher has a mass"), ("object.box[3]=1", "box ends at [2], counted from [0]"),
     ("object.mass[0]=1", "mass is no such list"), ("object.mass", 'takes one word: write --set "object.mass=0.4"'), ("object.mass= ", "PATH=VALUE"),
-    ("pin.friction=0,4", "a decimal number has a point"), ("pin.friction=-1", "held_block.toml:28: pusher \"pin\": friction must be >= 0"),
+    ("pin.friction=0,4", "a decimal number has a point"), ("pin.friction=-1", "--set \"pin.friction=-1\": pusher \"pin\": friction must be >= 0"),
     ("pin.center[y]=1", "vectors are counted so"), ("left.ends[0][0]=1", "set all of it, ends=[..]"),
     ("pin.shift[3]=1", "ends at [2]"), ("left.turn=1", "neither a velocity nor an acceleration"),
     ("object.mass=3 lb", "1 lb is 0.45359237 kg"), ("object.box=[1, 2", "this [ is never closed"), ("=1", "no key"),
