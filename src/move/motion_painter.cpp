@@ -29,7 +29,7 @@ View clearest_view(const SceneFile& file, const MotionReport& report) {
   const auto seen = [&](const View& view) {
     double most = 0;
     for (const MotionFrame& frame : report.frames) {
-      const Vector3<double> turn = rotation_vector(frame.pose.rotation);
+      const Vector3<double> turn = frame.turn;
       most = std::max(most, view.flat(frame.pose.position).norm() +
                                 object_size(file) / 2 * std::abs(turn.dot(view.toward)));
     }

@@ -5,6 +5,7 @@
 #include "move/motion_phases.hpp"
 #include "move/motion_run.hpp"
 #include "move/move_words.hpp"
+#include "move/rotation.hpp"
 #include "move/settings.hpp"
 
 #include <algorithm>
@@ -328,7 +329,9 @@ private:
     report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
     report_.longest = std::max(report_.longest, h);
     ++report_.steps;
+    const Vector3<double> turn = turn_after(last_.turn, frame.pose.rotation);
     last_ = frame;
+    last_.turn = turn;
     if (is_touched()) touched_ = frame.pose.position;
   }
 

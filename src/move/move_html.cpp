@@ -52,7 +52,7 @@ std::string frames_json(const SceneFile& file, const MotionReport& report,
     const double share = last > 0 ? frame.time / last : 0;
     json.begin_object()
         .member("clock", printed("%.3f s", frame.time))
-        .member("place", pose_words(file, frame.pose))
+        .member("place", pose_words(file, frame))
         .member("left",
                 100 * (plot::left + share * (plot::width - plot::left - plot::right)) / plot::width)
         .member("cells", cells)
@@ -151,7 +151,7 @@ std::string move_html(const SceneFile& file, const MotionReport& report) {
          controls(shown.size()) + now_table(file) + "</div>\n" + force_plot(file, report) +
          events_list(file, report) +
          "</main>\n<footer>\n<p>SI units, the scene's axes, the gripper's frame. " +
-         escaped(step_words(report)) + ". Written by lcpush " + version_text +
+         escaped(step_words(report, true)) + ". Written by lcpush " + version_text +
          ".</p>\n</footer>\n<script type=\"application/json\" id=\"frames\">" +
          frames_json(file, report, shown) + "</script>\n<script>" + player_script +
          "</script>\n</body>\n</html>\n";

@@ -29,8 +29,7 @@ std::vector<Index> moving_axes(const MotionReport& report, bool turns, double le
   for (Index axis = 0; axis < 3; ++axis) {
     double most = 0;
     for (const MotionFrame& frame : report.frames)
-      most = std::max(most, std::abs(turns ? rotation_vector(frame.pose.rotation)[axis]
-                                           : frame.pose.position[axis]));
+      most = std::max(most, std::abs(turns ? frame.turn[axis] : frame.pose.position[axis]));
     if (most > least) axes.push_back(axis);
   }
   return axes;
@@ -40,7 +39,7 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
   double path = 0, turned = 0;
   for (const MotionFrame& frame : report.frames) {
     path = std::max(path, frame.pose.position.norm());
-    turned = std::max(turned, object_size(file) / 2 * rotation_vector(frame.pose.rotation).norm());
+    turned = std::max(turned, object_size(file) / 2 * frame.turn.norm());
   }
   const double least = std::max(MoveSettings::worth_a_word * std::max(path, turned),
                                 MoveSettings::unmoved * object_size(file));
@@ -57,7 +56,7 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
              report.frames.size(), verbose ? report.frames.size() : MoveSettings::brief_rows)) {
       const MotionFrame& frame = report.frames[k];
       rows.push_back({in_digits(frame.time, digits)});
-      const Vector3<double> turn = rotation_vector(frame.pose.rotation);
+      const Vector3<double> turn = frame.turn;
       for (const Index axis : shifts)
         rows.back().push_back(in_digits(millimetres_a_metre * frame.pose.position[axis], digits,
                                         millimetres_a_metre * unseen));
@@ -90,7 +89,7 @@ std::string events_text(const SceneFile& file, const MotionReport& report, bool 
 } // namespace
 
 std::string move_text(const SceneFile& file, const MotionReport& report, bool verbose) {
-  std::vector<Fact> facts{{"Ends", pose_words(file, report.frames.back().pose)},
+  std::vector<Fact> facts{{"Ends", pose_words(file, report.frames.back())},
                           {"Contacts then", contacts_words(file, report.frames.back())}};
   if (!report.events.empty() || !report.jumps.empty())
     facts.push_back({"Events", events_text(file, report, verbose)});
@@ -98,7 +97,7 @@ std::string move_text(const SceneFile& file, const MotionReport& report, bool ve
     for (const MotionPhase& phase : report.phases)
       facts.push_back({"Phase", brief(phase.from) + " to " + brief(phase.until) +
                                     " s: " + phase_words(file, phase)});
-  facts.push_back({"Steps", step_words(report)});
+  facts.push_back({"Steps", step_words(report, verbose)});
   for (const SceneDoubt& doubt : motion_doubts(file, report))
     if (doubt.doubt == Doubt::unknown_shape) facts.push_back({"Check", doubt_text(doubt)});
   return title_line(file) + move_sentence(file, report) + "\n\n" +

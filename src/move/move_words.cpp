@@ -256,19 +256,23 @@ std::vector<std::string> touch_words(const SceneFile& file, const MotionFrame& f
   return parts;
 }
 
-std::string step_words(const MotionReport& report) {
-  std::string text = counted(report.steps, "step") + " of ";
-  text += report.shortest == report.longest
-              ? brief(report.longest) + " s"
-              : brief(report.shortest) + " to " + brief(report.longest) + " s";
-  if (report.error)
-    text += ", together within about " + millimetres(*report.error) + " (tolerance " +
-            millimetres(report.tolerance) + ")";
-  text += "; laws within " + (report.residual <= Settings::exact ? std::string("1e-9")
-                                                                 : residual_text(report.residual));
-  text += report.penetration <= Settings::exact
-              ? std::string(", no point inside its face")
-              : ", deepest point inside its face " + millimetres(report.penetration);
+std::string step_words(const MotionReport& report, bool verbose) {
+  std::string text = counted(report.steps, "step");
+  if (verbose || !report.error)
+    text += " of " +
+            (report.shortest == report.longest
+                 ? brief(report.longest)
+                 : brief(report.shortest) + " to " + brief(report.longest)) +
+            " s";
+  if (report.error) text += ", together within about " + millimetres(*report.error);
+  if (report.error && verbose) text += " (tolerance " + millimetres(report.tolerance) + ")";
+  const bool is_exact = report.residual <= Settings::exact;
+  if (verbose || !is_exact)
+    text += "; laws within " + (is_exact ? std::string("1e-9") : residual_text(report.residual));
+  if (report.penetration > Settings::exact)
+    text += ", deepest point inside its face " + millimetres(report.penetration);
+  else if (verbose)
+    text += ", no point inside its face";
   if (report.pressed_gap > Settings::seen_gap)
     text += ", the largest gap across which one presses " + millimetres(report.pressed_gap);
   if (report.by_pyramids > 0)
@@ -277,13 +281,13 @@ std::string step_words(const MotionReport& report) {
   return text;
 }
 
-std::string pose_words(const SceneFile& file, const Pose<double>& pose) {
-  const Vector3<double> turn = rotation_vector(pose.rotation);
-  const double path = pose.position.norm(), turned = object_size(file) / 2 * turn.norm();
+std::string pose_words(const SceneFile& file, const MotionFrame& frame) {
+  const Vector3<double>&way = frame.pose.position, &turn = frame.turn;
+  const double path = way.norm(), turned = object_size(file) / 2 * turn.norm();
   std::vector<std::string> parts;
   const double least = Settings::unmoved * object_size(file);
   if (path > std::max(Settings::worth_a_word * turned, least))
-    parts.push_back(millimetres(path) + " along " + direction_text(pose.position / path));
+    parts.push_back(millimetres(path) + " along " + direction_text(way / path));
   if (turned > std::max(Settings::worth_a_word * path, least))
     parts.push_back("turned by " + degrees(turn.norm()) + " " + turn_phrase(turn.normalized()));
   return parts.empty() ? "where it was" : joined(parts, ", ");

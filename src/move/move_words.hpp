@@ -19,10 +19,10 @@ struct EventLine {
 /// In order of time: what contacts do, points of one body that do the same at once as one, and
 /// jumps of the push.
 std::vector<EventLine> event_lines(const SceneFile& file, const MotionReport& report);
-/// How well it was stepped, without a full stop.
-std::string step_words(const MotionReport& report);
+/// How well it was stepped, without a full stop; brief: with what is as it should be left out.
+std::string step_words(const MotionReport& report, bool verbose);
 /// "30 mm along x, turned by 12 degrees counter-clockwise about z".
-std::string pose_words(const SceneFile& file, const Pose<double>& pose);
+std::string pose_words(const SceneFile& file, const MotionFrame& frame);
 
 inline bool is_touching(Touch touch) { return touch == Touch::sticks || touch == Touch::slips; }
 /// "8 slip", "3 stick and 1 beside": how many points of a body do what, in these words for the

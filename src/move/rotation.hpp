@@ -22,4 +22,14 @@ inline Vector3<double> rotation_vector(const Matrix3<double>& R) {
   return angle * square.col(k) / std::sqrt(square(k, k));
 }
 
+/// rad, the same of all vectors that stand for R the nearest to `last`, the turn a step before.
+inline Vector3<double> turn_after(const Vector3<double>& last, const Matrix3<double>& R) {
+  constexpr double whole = 2 * M_PI;
+  const Vector3<double> turn = rotation_vector(R);
+  const Vector3<double> axis = turn.norm() > MoveSettings::half_turn ? turn.normalized()
+                               : last.norm() > 0                     ? last.normalized()
+                                                                     : Vector3<double>::Zero();
+  return turn + whole * std::round((last - turn).dot(axis) / whole) * axis;
+}
+
 } // namespace lcpush::desktop

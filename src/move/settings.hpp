@@ -46,7 +46,8 @@ struct MoveSettings {
   // changes gradually has steps alike, a blow goes up and down at the same rate.
   static constexpr double least_jump = 0.1, worth_a_jump = 1e-3, times_neighbours = 8;
   // Words.
-  static constexpr std::size_t brief_rows = 11, brief_events = 12; ///< of a text without -v
+  static constexpr std::size_t brief_rows = 6, brief_events = 4; ///< of a text without -v: all of
+                                                                 ///< it on twenty lines
   static constexpr double over_surface = 1e-2; ///< of the object's size, or rad: so far a body goes
                                                ///< over the object until its shape is asked for
   static constexpr double worth_a_word = 1e-3; ///< of the rest: less is left out

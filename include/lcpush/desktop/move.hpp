@@ -61,7 +61,9 @@ struct PointState {
 /// The end of a step. Forces are the step's mean; twists are at the object's centre of mass.
 struct MotionFrame {
   double time = 0, step = 0;
-  Pose<double> pose; ///< position: how far the centre of mass has gone
+  Pose<double> pose;                              ///< position: how far the centre of mass has gone
+  Vector3<double> turn = Vector3<double>::Zero(); ///< rad, axis times angle: as pose has turned,
+                                                  ///< beyond half a turn, too
   Vector6<double> twist = Vector6<double>::Zero();
   std::vector<BodyForce> bodies;
   std::vector<PointState> contacts;
