@@ -1,4 +1,5 @@
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/grip_statics.hpp"
 #include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/rest_verdict.hpp"
@@ -105,12 +106,16 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   if (status != Status::solved && !(can_improve && status == Status::not_settled)) return status;
   if (status == Status::solved) {
     read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
-    const double worst = check(assembly_.scene(), layout().scales, work_.answer, sigma).max();
-    if (!(can_start_anew || can_improve) || worst <= Tolerances<double>().residual) return status;
+    const Residuals<double> left = check(assembly_.scene(), layout().scales, work_.answer, sigma);
+    const bool passes = left.max() <= Tolerances<double>().residual &&
+                        !is_too_slow(sigma * push_size(scene_), layout().scales, left.beside);
+    if (passes || !(can_start_anew || can_improve)) return status;
   }
-  PushOptions stricter = options; // by other covers: pivots have ended on a poor basis
+  // By other covers, or on the whole dictionary: pivots have ended on a poor basis.
+  PushOptions stricter = options;
   stricter.sweeps.tolerance /= SolveSettings().stricter;
-  stricter.lemke.first_cover += options.lemke.covers;
+  stricter.dense = last_structured_ && layout().size <= limits::unknowns_dense;
+  if (!stricter.dense) stricter.lemke.first_cover += options.lemke.covers;
   const Index sweeps = spent.sweeps;
   const Status improved = run(stricter, sigma, spent, part);
   spent.sweeps += sweeps;
@@ -230,6 +235,16 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   report.unique_wrench = verdict(same_f && !report.final_basis.wrench_open);
 }
 
+/// Pivots begin without forces: an object between bodies that stand still falls. Where statics
+/// finds forces that hold it, rest is an answer, too.
+void Push::look_for_rest(PushReport& report) const {
+  if (has_pusher(file_) || !file_.drives.empty() || report.motion.kind == MotionKind::rest) return;
+  const std::optional<double> least = least_factor(GripStatics(file_));
+  if (!least || *least > 0) return;
+  report.unique_motion = Uniqueness::no;
+  report.other = Outcome<double>{Vector6<double>::Zero(), Vector6<double>::Zero()};
+}
+
 /// The scene as the file has it, and nothing known about it.
 void Push::begin(const PushOptions& options, RunReport& report) {
   assembled_.assemble(file_.is_round);
@@ -303,6 +318,7 @@ PushReport Push::solve(const PushOptions& options) & {
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   report.noise.acceleration / word_settings.rounding, push);
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
+  if (report.unique_motion == Uniqueness::none_other_found) look_for_rest(report);
   report.hand_moves = any_moves(closings(std::max({push, report.motion.translation, noise})));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual) ||

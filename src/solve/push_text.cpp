@@ -78,7 +78,10 @@ std::string others_text(const SceneFile& file, const PushReport& report) {
         push += body_wrench(file.view(), report.answer, body).head<3>().norm();
     const double other = report.other ? report.other->wrench.head<3>().norm() : push;
     text += "The " + what + " is not unique: ";
-    if (std::abs(other - push) > word_settings.other_force * report.scales.force)
+    const bool may_rest = motion && report.other && report.other->acceleration.isZero(0);
+    if (may_rest)
+      text += "bodies that stand still may also squeeze it, and hold it.\n";
+    else if (std::abs(other - push) > word_settings.other_force * report.scales.force)
       text += both_answers(file, push, other) + "\n";
     else
       text += "the paper's laws leave it open" +

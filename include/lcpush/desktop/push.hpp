@@ -115,6 +115,7 @@ private:
   void read_ray(const PushOptions& options, RunReport& report) const;
   void compare_others(const PushOptions& options, BreakReport& report);
   void search_others(const PushOptions& options, PushReport& report);
+  void look_for_rest(PushReport& report) const;
 };
 
 /// Does a plain solve of the scene end in an answer?
