@@ -174,8 +174,14 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
   else if (study.grip.force == 0)
     text += " where it rests";
   const HoldLimit* const least = study.limits.empty() ? nullptr : least_of(file, study);
+  std::string beside = "; weakest against ";
+  for (const Disturbance kind : {Disturbance::moment, Disturbance::force})
+    if (const HoldLimit& free = study.weakest[static_cast<std::size_t>(kind)]; free.limit == 0) {
+      text += "; nothing resists " + against(free);
+      beside = ", and the weakest else is ";
+    }
   if (least == nullptr) return text + ".";
-  return text + "; weakest against " + against(*least) + ": " + brief(least->limit) + " " +
+  return text + beside + against(*least) + ": " + brief(least->limit) + " " +
          units[static_cast<int>(least->what.kind)] + " " + give_way_words(file, least->gives) + ".";
 }
 
