@@ -34,6 +34,13 @@ std::string box_sentence(const BoxAnswer& answer, const std::string& subject,
   return "Not known for every value in the ranges: " + answer.reason + margin;
 }
 
+std::string modes_sentence(const SceneFile& file, const BoxAnswer& answer) {
+  const bool pushes = file.bodies.back().role == Role::pusher;
+  return box_sentence(answer, pushes ? "Pushed slowly, the pusher" : "The grasp",
+                      pushes ? "sticks" : "holds", pushes ? "may slip" : "may give way",
+                      corner_words(answer));
+}
+
 std::string corner_words(const BoxAnswer& answer) {
   std::vector<std::string> words;
   for (const auto& [path, value] : answer.corner) words.push_back(path + " = " + brief(value));

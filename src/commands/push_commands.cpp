@@ -48,12 +48,7 @@ std::string with_box(std::string text, const std::string& format, const SceneFil
     write_box(json, box);
     return text.replace(0, 1, json.text() + ",");
   }
-  const bool pushes = file.bodies.back().role == Role::pusher;
-  return text + "\n" +
-         box_sentence(box, pushes ? "Pushed slowly, the pusher" : "The grasp",
-                      pushes ? "sticks" : "holds", pushes ? "may slip" : "may give way",
-                      corner_words(box)) +
-         "\n";
+  return text + "\n" + modes_sentence(file, box) + "\n";
 }
 
 Result run_solve(const Values& values, Listener& listener) {

@@ -1,6 +1,7 @@
 // sweep and report: a scene solved many times, or shown.
 #include "commands/asked_push.hpp"
 #include "commands/values.hpp"
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/hold.hpp"
 #include "lcpush/desktop/report_page.hpp"
 #include "text/limits.hpp"
@@ -233,6 +234,8 @@ Result run_report(const Values& values, Listener& listener) {
   std::optional<HoldStudy> held;
   if (format == "html" && file.body(0).role == Role::finger && listener.stop(1) == Stop::none)
     content.held = &held.emplace(find_hold(file, {}, asked.options));
+  if (format == "html" && !scene.ranges().empty())
+    content.box = modes_sentence(file, judge_modes(scene));
   content.scene_text = values.scene_document().text;
   content.command = values.command_line();
   const bool is_whole = content.sweeps.size() == variations.size() && breaks == (pusher >= 0);

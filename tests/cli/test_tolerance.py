@@ -245,6 +245,11 @@ class Tolerance(ToolTest):
         left_out = run("cone", SQUARE, "--pusher", "east", "--tolerance", "south.friction=0.1:0.9")
         self.assertIn("a pusher that is left out", unwrapped(left_out.stderr))
 
+    def test_a_report_has_the_verdict_and_its_margin(self):
+        page = unwrapped(run("report", UNCERTAIN).stdout)
+        self.assertIn("the pusher sticks for every value in the ranges; it would still if all of these numbers were 25.66 % off.", page)
+        self.assertNotIn("in the ranges", run("report", SLIDE).stdout)
+
     def test_hold(self):
         held = json_of("hold", SLIDE, "--tolerance", "*.friction", "--tolerance", "object.mass", "--tolerance", "*.grip_force")
         least = held["least_grip"]["statics_factor"]  # (1 - e)^2 / (1 + e) of friction, grip and mass

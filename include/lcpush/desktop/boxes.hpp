@@ -89,6 +89,8 @@ std::string margin_words(const BoxAnswer& answer);
 std::string box_sentence(const BoxAnswer& answer, const std::string& subject,
                          const std::string& does, const std::string& fails,
                          const std::string& where);
+/// Of judge_modes.
+std::string modes_sentence(const SceneFile& file, const BoxAnswer& answer);
 /// "at wall.friction = 0.1 and object.mass = 0.22".
 std::string corner_words(const BoxAnswer& answer);
 /// The sentence, and the numbers as a table.

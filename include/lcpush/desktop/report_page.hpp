@@ -21,6 +21,7 @@ struct PageContent {
   const HoldStudy* held = nullptr;       ///< of find_hold; null: not asked
   std::string scene_text = "";           ///< as the file has it; may be empty
   std::string command = "";              ///< what was asked, as somebody typed it; may be empty
+  std::string box = ""; ///< what holds for every value of the scene's ranges; may be empty
 };
 
 struct Picture {
