@@ -12,6 +12,7 @@
 #include "pivots/subject.hpp"
 #include "play/instant.hpp"
 #include "play/state_picture.hpp"
+#include "solve/grip_statics.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
@@ -39,6 +40,17 @@ SceneFile small_scene(std::string_view text, Strokes strokes = Strokes::first) {
     throw InputError(scene_name + ": more than the " + std::to_string(limits::unknowns_searched) +
                      " unknowns that are solved while you look; use fewer points or facets");
   return file;
+}
+
+/// The grip over the least with which statics holds the object, [T.12]; of pads it is at most that.
+std::string margin_of_grip(const SceneFile& file) {
+  const SceneFile hand = hand_at_rest(file);
+  if (hand.bodies.empty()) return {};
+  const GripStatics statics(hand);
+  const std::optional<double> least = least_factor(statics);
+  if (!least || !(*least > 0)) return {};
+  return ", \"grip_margin\": " + shown(1 / *least) +
+         ", \"is_bound\": " + (statics.has_pads() ? "true" : "false");
 }
 
 /// While a hand drags, only what is looked at.
@@ -195,14 +207,16 @@ std::string Playground::solve(std::string_view text, bool in_full, std::string_v
   const SceneFile& file = now.file;
   const std::string answer = solve_json(file, now.hold, now.report);
   const std::string sentence = first_sentence(file, now.report);
-  if (look.empty()) return with_words(answer, sentence);
+  const std::string margin = margin_of_grip(file);
+  if (look.empty()) return with_words(answer, sentence, margin);
   const StatePicture picture = state_picture(now.drawn, now.report, read_look(look), sentence);
   JsonWriter more;
   more.begin_object().key("scene");
   write_page_scene(more, now.drawn);
   write_picture(more, picture);
   more.end_object();
-  return with_words(answer, sentence, ", " + more.text().substr(1, more.text().rfind('}') - 1));
+  return with_words(answer, sentence,
+                    margin + ", " + more.text().substr(1, more.text().rfind('}') - 1));
 }
 
 std::string Playground::look(std::string_view text, std::string_view look) {

@@ -82,6 +82,25 @@ TEST_CASE("every body can be taken, every contact has its mark, and the ghost is
   CHECK(count_of(seen.svg, "left  20 N") == 1);
 }
 
+TEST_CASE("the margin of the grip is told while a hand drags, of pads as a bound") {
+  // Two fingers of 20 N and friction 0.5 bear 20 N: twice the mass, half the margin.
+  Playground page;
+  const auto margin = [&](const std::string& text) {
+    const JsonValue reply = parse_json(page.answer_to("drag", text), "reply");
+    return std::pair(*reply.find("grip_margin")->as<double>(), *reply.find("is_bound")->as<bool>());
+  };
+  const std::string finger = "friction = 0.5\ngrip_force = 20\nshape = \"point\"\non = \"";
+  for (const double mass : {0.2, 0.4}) {
+    const std::string text = "gravity = [0, 0, -10]\n[object]\nmass = " + std::to_string(mass) +
+                             "\nbox = [0.04, 0.04, 0.04]\n[[finger]]\nname = \"a\"\n" + finger +
+                             "-y\"\n[[finger]]\nname = \"b\"\n" + finger + "+y\"\n";
+    const auto [found, is_bound] = margin(text);
+    CHECK(found == doctest::Approx(20 / (10 * mass)).epsilon(1e-6));
+    CHECK(!is_bound);
+  }
+  CHECK(margin(shipped_text("straight_slide.toml")).second);
+}
+
 TEST_CASE("a jam has no forces, and those who squeeze stand out") {
   Playground page;
   const Answered seen = looked(page, "solve " + from_front, shipped_text("jam.toml"));

@@ -8,9 +8,11 @@
   const fact = (name, value, bad) =>
     h('div', {}, h('dt', {}, name), h('dd', { class: bad && 'bad' }, value));
 
-  function held_words(answer) {
+  function held_words({ answer, grip_margin, is_bound }) {
     if (answer.holds_without_push === null) return ['not known', false];
-    return answer.holds_without_push ? ['yes', false] : ['no, it falls', true];
+    if (!answer.holds_without_push) return ['no, it falls', true];
+    const margin = `, with ${is_bound ? 'at most ' : ''}${decimal(grip_margin)} times the grip it needs`;
+    return [`yes${grip_margin ? margin : ''}`, false];
   }
 
   function break_words(breaking) {
@@ -31,7 +33,7 @@
 
   function update(state, breaking) {
     const { answer } = state;
-    const [held, bad] = held_words(answer);
+    const [held, bad] = held_words(state);
     replace('facts',
       fact('Held without the push', held, bad),
       fact('Grip that just holds it', grip_words(breaking)),

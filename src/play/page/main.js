@@ -126,11 +126,11 @@
     }
 
     read(text, reply) {
-      const { answer, sentence, scene, ...drawn } = JSON.parse(reply);
+      const { answer, sentence, scene, grip_margin, is_bound, ...drawn } = JSON.parse(reply);
       const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
       this.motion.forget();
       this.background.drop('pivots');
-      this.state = { text, answer, scene, written, sentence, in_full: this.in_full };
+      this.state = { text, answer, scene, written, sentence, grip_margin, is_bound, in_full: this.in_full };
       by_id('failure').hidden = true;
       for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.remove('stale');
       const title = scene.title || 'lcpush playground';
