@@ -137,16 +137,14 @@ int run_new(const Arguments& arguments) {
   if (arguments.files().empty() && !asks) throw UsageError("say what is gripped: box or cylinder");
   try {
     if (asks) scene = asked_scene();
-    const std::string text = new_scene(scene); // what is refused is refused of starters as well
+    const std::string text = new_scene(scene);
     if (asks && into.empty()) {
       const std::string path = asked_file(scene.object);
       write_file(path, text);
       tell_next(path);
       return 0;
     }
-    const std::vector<ShippedScene> starters = scene_templates();
-    const std::string* const starter = scene_called(starters, scene.object + "_" + scene.push);
-    return write_new(arguments, is_own || asks || starter == nullptr ? text : *starter);
+    return write_new(arguments, text);
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
@@ -164,24 +162,22 @@ ShellCommand example_command() {
 }
 
 ShellCommand new_command() {
-  return {
-      {"new",
-       "box|cylinder [OPTIONS]",
-       "a commented scene to start from",
-       "Writes a scene that solves at once: a hand, an object and a push. Of your own object with\n"
-       "the options; without them each key is explained: change the numbers to yours. On a\n"
-       "terminal `lcpush new` alone asks.\n\n"
-       "Example:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n"
-       "  lcpush new box --size \"80 mm x 40 mm x 20 mm\" --mass \"120 g\" \\\n"
-       "    --pads \"20 mm x 10 mm\" -o block.toml\n",
-       {{"push", "MOTION", "slide (default), pivot, roll (a cylinder) or none"},
-        {"size", "SIZE", "\"80 mm x 40 mm x 20 mm\"; of a cylinder diameter x length"},
-        {"mass", "MASS", "\"120 g\" (of your size: that of aluminium)"},
-        {"pads", "SIZE", "of the fingertips: \"20 mm x 10 mm\", or round \"8 mm\""},
-        {"grip", "FORCE", "\"20 N\", of each finger (four times what holds the weight)"},
-        {"friction", "NUMBER", "of the fingertips (0.5)"},
-        commands::output_option}},
-      run_new};
+  return {{"new",
+           "box|cylinder [OPTIONS]",
+           "a commented scene to start from",
+           "Writes a scene that solves at once: a hand, an object and a push, of your own object\n"
+           "with the options. On a terminal `lcpush new` alone asks.\n\n"
+           "Example:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n"
+           "  lcpush new box --size \"80 mm x 40 mm x 20 mm\" --mass \"120 g\" \\\n"
+           "    --pads \"20 mm x 10 mm\" -o block.toml\n",
+           {{"push", "MOTION", "slide (default), pivot, roll (a cylinder) or none"},
+            {"size", "SIZE", "\"80 mm x 40 mm x 20 mm\"; of a cylinder diameter x length"},
+            {"mass", "MASS", "\"120 g\" (of your size: that of aluminium)"},
+            {"pads", "SIZE", "of the fingertips: \"20 mm x 10 mm\", or round \"8 mm\""},
+            {"grip", "FORCE", "\"20 N\", of each finger (four times what holds the weight)"},
+            {"friction", "NUMBER", "of the fingertips (0.5)"},
+            commands::output_option}},
+          run_new};
 }
 
 } // namespace lcpush::cli

@@ -81,7 +81,6 @@ function(embed_files list pattern)
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()
 embed_files(example_scenes "${FIXTURES}/scenes/*.toml")
-embed_files(scene_templates "${SOURCES}/scenes/templates/*.toml")
 
 # The function `name` returns the scripts that FOLDER/scripts.txt lists, joined; without their margin
 # and the comments that have a line of their own.

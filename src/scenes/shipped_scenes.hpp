@@ -13,8 +13,6 @@ struct ShippedScene {
 
 /// fixtures/scenes/, by name.
 std::vector<ShippedScene> example_scenes();
-/// src/scenes/templates/, by name: OBJECT_MOTION, such as box_slide.
-std::vector<ShippedScene> scene_templates();
 
 /// The text of the scene called `name`, or nullptr.
 inline const std::string* scene_called(const std::vector<ShippedScene>& scenes,
