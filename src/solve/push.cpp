@@ -2,6 +2,7 @@
 #include "solve/grip_statics.hpp"
 #include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
+#include "solve/push_words.hpp"
 #include "solve/rest_verdict.hpp"
 #include "solve/word_settings.hpp"
 #include "text/format.hpp"
