@@ -2,8 +2,8 @@
 // together are a convex set, which grows with friction: corners of least friction decide.
 #include "boxes/box.hpp"
 #include "boxes/settings.hpp"
+#include "hold/pad_statics.hpp"
 #include "lcpush/desktop/hold.hpp"
-#include "solve/grip_statics.hpp"
 #include "solve/sentence.hpp"
 
 #include <algorithm>
@@ -81,13 +81,14 @@ private:
   static bool has_forces(const SceneFile& file) {
     const SceneFile hand = hand_at_rest(file);
     if (hand.bodies.empty()) return false;
-    const bool has_pads = GripStatics(hand).has_pads();
-    const GripStatics statics(hand, has_pads ? std::vector<bool>(hand.points.size(), true)
-                                             : std::vector<bool>());
-    const Index moves = has_pads ? statics.displacement().cols() : 0;
-    Eigen::MatrixXd D(statics.rows(), moves + 1);
-    if (has_pads) D.leftCols(moves) = statics.displacement().leftCols(moves);
-    D.col(moves).setZero();
+    if (const GripStatics statics(hand); !statics.has_pads()) return has_point(statics);
+    return has_point(PadStatics(hand, std::vector<bool>(hand.points.size(), true)));
+  }
+
+  static bool has_point(const GripStatics& statics) {
+    const Index moves = statics.displacement().cols();
+    Eigen::MatrixXd D = Eigen::MatrixXd::Zero(statics.rows(), moves + 1);
+    if (moves > 0) D.leftCols(moves) = statics.displacement();
     StaticsProgram program(statics, D, moves, statics.demand(1));
     return program.find_point() == StaticsProgram::Ending::found;
   }

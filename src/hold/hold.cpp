@@ -6,6 +6,7 @@
 #include "hold/give_way.hpp"
 #include "hold/holding_law.hpp"
 #include "hold/load_set.hpp"
+#include "hold/pad_statics.hpp"
 #include "hold/settings.hpp"
 #include "solve/grip_statics.hpp"
 
@@ -168,9 +169,9 @@ private:
   const PushOptions& options_;
   HoldStudy& study_;
   GripStatics statics_;
-  std::optional<HoldingLaw> law_;   ///< where it is another than statics
-  std::optional<GripStatics> pads_; ///< then of its surfaces, all of which touch
-  std::vector<ForceRay> rays_;      ///< with which the load is held
+  std::optional<HoldingLaw> law_;  ///< where it is another than statics
+  std::optional<PadStatics> pads_; ///< then of its surfaces, all of which touch
+  std::vector<ForceRay> rays_;     ///< with which the load is held
 
   static double distance(const Vector3<double>&, double height) { return height; }
   static double pi() { return std::acos(-1.0); }

@@ -3,8 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "hold/pad_statics.hpp"
 #include "hold/settings.hpp"
-#include "solve/grip_statics.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -14,7 +14,7 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// The answer for the points that touch, which become those that touch at its end.
 double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<bool>& touching,
                double& work) {
-  const GripStatics statics(hand, touching);
+  const PadStatics statics(hand, touching);
   const Eigen::MatrixXd& gaps = statics.gaps();
   const Index moves = statics.displacement().cols();
   Eigen::VectorXd column =

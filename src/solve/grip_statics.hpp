@@ -69,12 +69,10 @@ public:
   const Eigen::MatrixXd& displacement() const { return displacement_; }
   /// And of the gaps that points have opened, >= 0.
   const Eigen::MatrixXd& gaps() const { return gaps_; }
-  /// How far a displacement presses a point, at `factor` times the grip; < 0: it parts.
-  double presses(Index point, const Eigen::VectorXd& displacement, double factor) const;
   /// A row's axis of the twist: 0 to 5.
   Index axis(Index row) const { return moving_ == 3 && row == 2 ? 5 : row; }
 
-private:
+protected:
   const SceneFile& file_;
   AssembledScene assembled_;
   std::vector<Cone> cones_;
@@ -91,9 +89,6 @@ private:
   double compliance(Index point) const { return assembled_.work.pressure.compliance[point]; }
   Eigen::VectorXd normal_of(Index body, Index point) const;
   bool is_pressure_tied() const;
-  void add_pads();
-  void add_patch(Index body);
-  void follow(const Eigen::VectorXd& normal, double preload, bool parts);
 };
 
 /// Forces of which a program knows: normal force 1 at a point, or a pressure of a pad.

@@ -1,4 +1,4 @@
-#include "solve/patch_pressures.hpp"
+#include "hold/patch_pressures.hpp"
 
 #include <algorithm>
 #include <cmath>
