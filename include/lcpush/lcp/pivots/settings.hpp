@@ -22,9 +22,9 @@ struct LemkeSettings {
   static constexpr Index pivots_between_looks = 64;
   /// Values that are off by so many tie tolerances have drifted. Not measured.
   static constexpr int drift = 100;
-  /// Passes of iterative refinement, more while what is left would pass barely; it ends as soon as
-  /// one gains nothing. Points beside the centre of a turn slip 1e5 times as slowly as others, and
-  /// their round friction leaves a thirtieth a pass.
+  /// Passes of iterative refinement; it ends as soon as one gains nothing. More, while what is left
+  /// would pass barely and each halves it. Points beside the centre of a turn slip 1e5 times as
+  /// slowly as others, and their round friction leaves a thirtieth a pass.
   static constexpr int refinements = 4;
   /// How often an answer that fails its check is factored afresh and pivoted on from, with tie
   /// tolerances that are smaller by `closer` each time and zero the last time.
