@@ -31,8 +31,11 @@ def here(*words):
     return run(*words[:-1], words[-1].relative_to(SOURCE))
 
 
+BOX_SLIDE = (SOURCE / "tests/scenes/box_slide.toml").read_text()
+
+
 def odd_scene():
-    return run("new", "box").stdout.replace("center = [0, 0, 0.005]", "center = [0, 0.18, 0.005]")
+    return BOX_SLIDE.replace("center = [0, 0, 0.005]", "center = [0, 0.18, 0.005]")
 
 
 class People(unittest.TestCase):
@@ -96,13 +99,13 @@ class People(unittest.TestCase):
         self.assertIn("slides along x", unwrapped(run("solve", "-", text=text).stdout))
 
     def test_where_nothing_moves_rounding_is_not_shown(self):
-        scene = run("new", "box").stdout
+        scene = BOX_SLIDE
         result = run("solve", "-", text=scene[:scene.index("[[pusher]]")])
         self.assertIn("Nothing pushes: the box does not move in the grip", result.stdout)
         self.assertNotRegex(result.stdout, r"e-|opening")
 
     def test_a_push_that_moves_nothing_breaks_nothing(self):
-        scene = run("new", "box").stdout.replace("acceleration = [0.1, 0, 0]", "acceleration = [0, 0, 0.1]")
+        scene = BOX_SLIDE.replace("acceleration = [0.1, 0, 0]", "acceleration = [0, 0, 0.1]")
         text = unwrapped(run("break", "-", text=scene).stdout)
         self.assertIn("The push does not break the grasp: wall slides along the box, which does not move.", text)
         self.assertNotIn("breaks at", text)

@@ -159,7 +159,7 @@ EDGES = [
      "[[-0.04, 0.025, 0.1], [-0.04, 0.025, 0.16]]", "[1, 0, 0]"),
     (BOX, 'on = "+y"\nalong = "x"\nlength = 0.06\ncenter = [0.03, -0.02]\npoints = 3',
      "[[0.01, 0.04, 0.01], [0.06, 0.04, 0.01]]\npoints = 3", "[0, -1, 0]"),  # clipped at x = 0.06
-    (BOX, 'on = "-z"\nalong = "y"\ncenter = [0.02, 0.5]', "[[0.03, 0, -0.12], [0.03, 0.04, -0.12]]", "[0, 0, 1]"),
+    (BOX, 'on = "-z"\nalong = "y"\ncenter = [0.02, 0]', "[[0.03, 0, -0.12], [0.03, 0.04, -0.12]]", "[0, 0, 1]"),
     ('cylinder_radius = 0.02\ncylinder_length = "10 cm"\naxis = "x"', 'on = "+x"\nalong = "z"',
      "[[0.05, 0, -0.02], [0.05, 0, 0.02]]", "[-1, 0, 0]"),
     ('cylinder_radius = 0.02\ncylinder_length = "10 cm"', 'on = "-z"\nalong = "x"\ncenter = [0.01, 0]\nlength = 0.03',
@@ -171,6 +171,7 @@ EDGE_REFUSED = [
     (BOX, LINE, 'on = "-x"', "missing key \"along\""), (BOX, LINE, 'on = "-x"\nalong = "x"', '"y" or "z", got "x"'),
     (BOX, LINE, 'on = "-x"\nalong = "y"\nends = [[0, 0, 0], [1, 0, 0]]', "its ends are those of the face; remove"),
     (BOX, LINE, 'on = "-x"\nalong = "y"\ncenter = [0.1, 0]\nlength = 0.01', "beside the face, which goes from -0.02 to"),
+    (BOX, LINE, 'on = "-x"\nalong = "y"\ncenter = [0.01, 0]', "as long as the face along y; give a length"),
     (BOX, LINE, 'normal = [1, 0, 0]\nends = [[0, 0, 0], [0, 1, 0]]\nalong = "y"', "along goes with a face"),
     (BOX, SHAPES[0], 'on = "-x"\nalong = "y"', 'along goes with the shapes "line" and "rectangle"'),
     (BOX, RECTANGLE, 'on = "-x"\nalong = "y"\ntangent = [0, 0, 1]', "remove one of the two"),
@@ -280,7 +281,7 @@ TILTS = [
     ('rotation = [1, -1, 1, "0 deg"]', "[2, -9.81, 3]"),
 ]
 TILT_REFUSED = [
-    ('tilt = "20 deg"', 'such as "20 deg about z"'), ('tilt = "20 about z"', "the unit is missing"), ("tilt = 20", "such as"),
+    ('tilt = "20 deg"', 'such as "20 deg about z"'), ('tilt = "20 about z"', "tilt has no unit"), ("tilt = 20", "such as"),
     ('tilt = "20 mm about z"', "a length; rad or deg is meant"), ('tilt = "20 deg about w"', 'write rotation = [x, y, z, "20 deg"]'),
     ('tilt = "1 deg about z"\nrotation = [0, 0, 1, 1]', "keep one of the two"), ("rotation = [0, 0, 0, 1]", "this axis is zero"),
     ("rotation = [0, 0, 1]", "a list of 4 numbers"), ("velocity = [1, 2]", "a list of 3 numbers"),

@@ -84,7 +84,7 @@ class SameJson(unittest.TestCase):
         words = ("hold", path, "--at", "0.1 0 0", "--direction", "moment 0 1 0")
         self.assertEqual(hold.json, printed(*words, "--json"))
         self.assertEqual(hold._repr_html_(), printed(*words, "--format", "svg"))
-        self.assertTrue(hold and repr(hold).startswith("Held with 1.4 times the grip it needs"))
+        self.assertTrue(hold and repr(hold).startswith("Held with 1.43 times the grip it needs"))
         self.assertEqual(hold.weakest.moment["first"], ["left", "right"])
 
     def test_of_designs(self):
