@@ -98,7 +98,9 @@ std::string cones_svg(const PivotTrace& trace) {
 std::string path_svg(const PivotTrace& trace) {
   PlotLine line;
   line.dots = true;
-  line.label = trace.status == Status::solved ? "solved" : "not solved: " + trace.reason;
+  line.label = trace.status == Status::solved ? "solved"
+               : trace.ray                    ? "not solved: a ray"
+                                              : "not solved: " + trace.reason;
   line.pieces.emplace_back();
   Plot plot;
   plot.title = "The artificial variable z0";
@@ -114,6 +116,15 @@ std::string path_svg(const PivotTrace& trace) {
       line.pieces.back().emplace_back(x, pivot.z0.finite.value);
   }
   plot.panels.push_back({"z0", {line}});
+  if (trace.ray && !line.pieces.back().empty()) { // one more step of whatever grows without end
+    const auto [x, z0] = line.pieces.back().back();
+    PlotLine ray;
+    ray.label = "along the ray";
+    ray.colour = 1;
+    ray.pieces = {{{x, z0}, {x + 1, z0 + trace.ray->v0.value}}};
+    plot.x_to = std::max(plot.x_to, x + 1);
+    plot.panels.back().lines.push_back(ray);
+  }
   return plot_svg(plot);
 }
 
