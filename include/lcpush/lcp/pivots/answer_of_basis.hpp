@@ -71,8 +71,8 @@ template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
     for (const Int variable : basis_.dictionary.basic) // what is left in a basic w is its value
       if (variable < n) left[variable] = S(0);
     const S largest = n > 0 ? S(left.cwiseAbs().maxCoeff()) : S(0);
-    const S gained = pass < LemkeSettings::refinements ? before : before / S(2);
-    if (!(largest > S(0)) || (before >= S(0) && !(largest < gained))) return;
+    const S most = before > barely ? S(before / S(2)) : before;
+    if (!(largest > S(0)) || (before >= S(0) && !(largest < most))) return;
     before = largest;
     basis_.respond(left, response);
     for (Index i = 0; i < n; ++i)
