@@ -60,7 +60,9 @@ def arm(name, title, machine, board, precisions):
 
 
 X86_64 = Target("x86_64", "x86-64, gcc", "g++")
-M32 = Target("m32", "x86 of 32 bits with SSE2, gcc", "g++", ("-m32", "-msse2", "-mfpmath=sse"))
+# Not every kernel runs programs of 32 bits, so an emulator does.
+M32 = Target("m32", "x86 of 32 bits with SSE2, gcc", "g++", ("-m32", "-msse2", "-mfpmath=sse"),
+             emulator=("qemu-i386",))
 M3 = arm("m3", "Cortex-M3, float in software", ("-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"),
          "mps2-an385", ("float",))
 M4F = arm("m4f", "Cortex-M4F", (), "mps2-an386", ("float",))
