@@ -1,8 +1,8 @@
 #include "boxes/box.hpp"
 
 #include "boxes/settings.hpp"
-#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/scene_units.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -32,10 +32,10 @@ std::string key_of(const Parameter& parameter) { return parameter.places.front()
   throw InputError("tolerance " + quoted(text) + ": " + what);
 }
 
-Rational read(const std::string& text, std::string_view word) {
-  const std::optional<Rational> number = Rational::parse(trimmed(word));
-  if (!number) refuse(text, quoted(std::string(trimmed(word))) + " is no number");
-  return *number;
+Rational read(const std::string& text, const SiNumber& number) {
+  const std::optional<Rational> value = Rational::parse(number.digits);
+  if (!value) refuse(text, number.refusal.empty() ? "too long to be read exactly" : number.refusal);
+  return *value;
 }
 
 /// The numbers that are given ranges, the last one that is given to each.
@@ -62,13 +62,15 @@ void read_tolerance(const VariedScene& scene, const std::string& text, Given& gi
     if (!typed) refuse(text, quoted(number.path) + " is too long to be read exactly");
     Rational low = *typed, high = *typed;
     if (is_share) {
-      const Rational off =
-          abs(*typed) * read(text, size.substr(0, size.size() - 1)) / Rational(100);
+      const Rational off = abs(*typed) *
+                           read(text, typed_number(size.substr(0, size.size() - 1), "")) /
+                           Rational(100);
       low = *typed - off;
       high = *typed + off;
     } else if (!is_asked) {
-      low = read(text, ends[0]);
-      high = read(text, ends[1]);
+      const auto range = typed_ends(ends[0], ends[1], number.unit);
+      low = read(text, range.first);
+      high = read(text, range.second);
     }
     if (high < low)
       refuse(text, is_share ? "a tolerance is not negative"

@@ -51,14 +51,16 @@ std::optional<std::string> Request::text(const std::string& option) const {
   return fields_.text(root_, key_of(option).c_str());
 }
 
-std::optional<commands::Values::Written> Request::written(const std::string& option) const {
+std::optional<commands::Values::Written> Request::written(const std::string& option,
+                                                          const std::string&) const {
   const std::optional<double> number = fields_.number(root_, key_of(option).c_str());
   return number ? std::optional(Written{*number, shown(*number)}) : std::nullopt;
 }
 
-std::optional<std::vector<double>> Request::numbers(const std::string& option, std::size_t count,
+std::optional<std::vector<double>> Request::numbers(const std::string& option,
+                                                    const std::vector<std::string>& units,
                                                     const std::string&) const {
-  return fields_.numbers(root_, key_of(option).c_str(), static_cast<Index>(count));
+  return fields_.numbers(root_, key_of(option).c_str(), static_cast<Index>(units.size()));
 }
 
 std::vector<std::string> Request::texts(const std::string& option) const {

@@ -21,8 +21,9 @@ public:
   bool has(const std::string& option) const override;
   std::optional<std::string> text(const std::string& option) const override;
   std::vector<std::string> texts(const std::string& option) const override;
-  std::optional<Written> written(const std::string& option) const override;
-  std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
+  std::optional<Written> written(const std::string& option, const std::string& unit) const override;
+  std::optional<std::vector<double>> numbers(const std::string& option,
+                                             const std::vector<std::string>& units,
                                              const std::string& what) const override;
   std::string label(const std::string& option) const override;
   std::string usage(const std::string& option) const override { return label(option); }

@@ -7,6 +7,7 @@
 #include "cli/shell.hpp"
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/scene_units.hpp"
 #include "scenes/shipped_scenes.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
@@ -39,12 +40,16 @@ void refuse_apart(const std::vector<std::string>& words) {
                      desktop::quoted(parts[0] + "=" + parts[1] + ":" + parts[2]));
 }
 
-/// A number of --OPTION TEXT.
-double number_of(std::string_view word, const std::string& option, const std::string& text) {
-  const NumberText read = read_finite_number(trimmed(word));
-  if (read.error)
-    throw UsageError("--" + option + " " + desktop::quoted(text) + ": " + *read.error);
-  return read.value;
+/// Of --OPTION TEXT.
+double value_of(const SiNumber& number, const std::string& option, const std::string& text) {
+  if (!number.refusal.empty())
+    throw UsageError("--" + option + " " + desktop::quoted(text) + ": " + number.refusal);
+  return number.value();
+}
+
+double number_of(std::string_view word, const std::string& unit, const std::string& option,
+                 const std::string& text) {
+  return value_of(typed_number(word, unit), option, text);
 }
 
 } // namespace
@@ -163,26 +168,34 @@ std::optional<std::string> Arguments::text(const std::string& option) const {
   return found == values_.end() ? std::nullopt : std::optional(found->second.front());
 }
 
-std::optional<commands::Values::Written> Arguments::written(const std::string& option) const {
+std::optional<commands::Values::Written> Arguments::written(const std::string& option,
+                                                            const std::string& unit) const {
   const std::optional<std::string> word = text(option);
   if (!word) return std::nullopt;
+  if (!unit.empty() && decimal_prefix(*word).is_whole)
+    return Written{number_of(*word, unit, option, *word), *word};
   const NumberText number = read_finite_number(*word);
   return Written{number.error ? std::numeric_limits<double>::quiet_NaN() : number.value, *word};
 }
 
-std::optional<std::vector<double>> Arguments::numbers(const std::string& option, std::size_t count,
+std::optional<std::vector<double>> Arguments::numbers(const std::string& option,
+                                                      const std::vector<std::string>& units,
                                                       const std::string& what) const {
   const std::optional<std::string> given = text(option);
   if (!given) return std::nullopt;
-  std::vector<double> numbers;
+  std::vector<std::string> words; // each with the unit that follows it
   for (const std::string_view part : split_at(*given, ','))
-    for (const std::string_view word : split_words(part)) {
-      const NumberText number = read_finite_number(word);
-      if (number.error) throw UsageError(label(option) + ": " + *number.error);
-      numbers.push_back(number.value);
-    }
-  if (numbers.size() != count)
-    throw UsageError(label(option) + " takes " + what + ", " + std::to_string(count) +
+    for (const std::string_view word : split_words(part))
+      if (words.empty() || decimal_prefix(word).length > 0 || !read_finite_number(word).error)
+        words.emplace_back(word);
+      else
+        words.back() += " " + std::string(word);
+  std::vector<double> numbers;
+  for (const std::string& word : words)
+    numbers.push_back(
+        number_of(word, units[std::min(numbers.size(), units.size() - 1)], option, *given));
+  if (numbers.size() != units.size())
+    throw UsageError(label(option) + " takes " + what + ", " + std::to_string(units.size()) +
                      " numbers in quotes, not " + std::to_string(numbers.size()));
   return numbers;
 }
@@ -249,8 +262,9 @@ std::vector<Variation> Arguments::variations(const VariedScene& scene) const {
     Parameter parameter = scene.find(std::string(trimmed(sides.front())));
     if (const std::vector<std::string> labels = texts("label"); list.size() < labels.size())
       parameter.label = labels[list.size()];
-    const double from = number_of(ends.front(), "vary", text),
-                 to = number_of(ends.back(), "vary", text);
+    const auto typed = typed_ends(ends.front(), ends.back(), parameter.unit);
+    const double from = value_of(typed.first, "vary", text),
+                 to = value_of(typed.second, "vary", text);
     if (from == to)
       throw UsageError("--vary " + desktop::quoted(text) + ": from and to are the same");
     list.push_back({parameter, from, to});
@@ -268,7 +282,7 @@ std::optional<std::vector<Variation>> Arguments::each(const VariedScene& scene) 
   const Parameter parameter = scene.find(std::string(trimmed(given->substr(0, equals))));
   std::vector<Variation> list;
   for (const std::string_view part : split_at(std::string_view(*given).substr(equals + 1), ',')) {
-    const double value = number_of(part, "each", *given);
+    const double value = number_of(part, parameter.unit, "each", *given);
     list.push_back({parameter, value, value});
   }
   return list;

@@ -15,7 +15,8 @@ constexpr double same_motion = 1e-9;
 
 /// The scene in which the pusher moves as --push says.
 VariedScene with_push(const Values& values, const VariedScene& scene) {
-  const auto push = values.numbers("push", 3, "vx vy wz (m/s and rad/s, of the centre of mass)");
+  const auto push =
+      values.numbers("push", twist_units, "vx vy wz (m/s and rad/s, of the centre of mass)");
   if (!push) return scene;
   const SceneFile file = scene.as_given();
   const Index pusher = values.pusher(file);

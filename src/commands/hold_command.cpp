@@ -47,7 +47,7 @@ Result run_hold(const Values& values, Listener& listener) {
   SceneFile file = scene.as_given();
   values.refuse_unknowns(file, limits::unknowns_holding, "holding is studied");
   HoldQuestion question;
-  if (const auto at = values.numbers("at", 3, "x y z (m, in the scene's frame)"))
+  if (const auto at = values.numbers("at", {"m", "m", "m"}, "x y z (m, in the scene's frame)"))
     question.at = Vector3<double>((*at)[0], (*at)[1], (*at)[2]);
   for (const std::string& text : values.texts("direction"))
     question.directions.push_back(read_direction(values, text));

@@ -20,10 +20,10 @@ constexpr double most_turn = 6.2832; // rad, once round
 MoveOptions move_options(const Values& values, const SceneFile& file, Listener& listener) {
   constexpr double largest_length = 1e6; // m
   MoveOptions options;
-  options.time = values.number("time", longest_time, ", in seconds, such as 2.5");
-  options.step = values.number("step", longest_time, ", in seconds, such as 0.001");
-  options.tolerance = values.number("tolerance", largest_length, ", in metres, such as 1e-4");
-  options.distance = values.number("stop-after", largest_length, ", in metres, such as 0.03")
+  options.time = values.number("time", longest_time, ", in seconds, such as 2.5", "s");
+  options.step = values.number("step", longest_time, ", in seconds, such as 0.001", "s");
+  options.tolerance = values.number("tolerance", largest_length, ", in metres, such as 1e-4", "m");
+  options.distance = values.number("stop-after", largest_length, ", in metres, such as 0.03", "m")
                          .value_or(options.distance);
   options.frames = values.whole("frames", {2, limits::motion_frames}).value_or(options.frames);
   options.most_steps =
@@ -61,7 +61,7 @@ Result run_move(const Values& values, Listener& listener) {
 
 std::optional<Vector6<double>> asked_twist(const Values& values) {
   const auto numbers =
-      values.numbers("twist", 3, "vx vy wz (m/s and rad/s, of the centre of mass)");
+      values.numbers("twist", twist_units, "vx vy wz (m/s and rad/s, of the centre of mass)");
   if (!numbers) return std::nullopt;
   Vector6<double> twist = Vector6<double>::Zero();
   twist[0] = (*numbers)[0];
@@ -130,7 +130,7 @@ Result run_cone(const Values& values, Listener& listener) {
 
 Result run_plan(const Values& values, Listener& listener) {
   const std::string format = values.format();
-  const auto to = values.numbers("to", 3, "x y angle (m, m and rad)");
+  const auto to = values.numbers("to", {"m", "m", "rad"}, "x y angle (m, m and rad)");
   if (!to)
     values.refuse("to", values.usage("to") + " says where the object is to go, in m, m and rad");
   if (std::abs((*to)[2]) > most_turn)
@@ -188,7 +188,8 @@ Command move_command() {
       "  lcpush move fixtures/scenes/pivot.toml --time 0.8\n"
       "  lcpush move fixtures/scenes/pivot.toml --format html -o pivot.html\n",
       with_scene_options(
-          {{"time", "S", "how long (to the end of the last stroke, else 1 s)"},
+          {{"time", "S",
+            "how long, in seconds or \"300 ms\" (to the end of the last stroke, else 1 s)"},
            {"stop-after", "M", "end once a contact point's place on the object has gone so far"},
            {"step", "S", "steps of this length, without control"},
            {"tolerance", "M", "error of the whole path (a thousandth of the object's size)"},
@@ -258,7 +259,8 @@ Command plan_command() {
       "    -o p.html\n",
       with_scene_options(
           {{"to", "\"X Y ANGLE\"",
-            "where the centre of mass is to go from where it is (m), and the turn (rad)"},
+            "where the centre of mass is to go from where it is, and the turn: in m and rad, or "
+            "with units"},
            tolerance_option,
            verbose_option,
            {"seconds", "S", "search for so much processor time at most (8)"},

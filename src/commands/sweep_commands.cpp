@@ -274,7 +274,8 @@ Examples:
     -o pivot.svg
 )",
       with_scene_options(
-          {{"vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
+          {{"vary", "PATH=FROM:TO", "what varies, and how far, such as 0:30 mm; twice for a map",
+            true},
            {"each", "PATH=V,V,..", "one curve for each of these values of another number"},
            {"steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
            pressure_option,

@@ -41,9 +41,9 @@ std::optional<Index> Values::whole(const std::string& option, const Range& range
   return static_cast<Index>(std::min(number, 1e18)); // what is larger is as good as no limit
 }
 
-std::optional<double> Values::number(const std::string& option, double end,
-                                     const std::string& hint) const {
-  const std::optional<Written> given = written(option);
+std::optional<double> Values::number(const std::string& option, double end, const std::string& hint,
+                                     const std::string& unit) const {
+  const std::optional<Written> given = written(option, unit);
   if (!given) return std::nullopt;
   if (!(given->value > 0) || !(given->value < end))
     refuse_value(option, given->text, "a number between 0 and " + shown(end) + hint);

@@ -44,6 +44,9 @@ struct ExactMatrices {
   std::vector<unsigned char> free; ///< n; not 0: an equality
 };
 
+/// Of vx, vy and wz.
+inline const std::vector<std::string> twist_units{"m/s", "m/s", "rad/s"};
+
 class Values {
 public:
   explicit Values(const Command& command) : command_(command) {}
@@ -61,9 +64,12 @@ public:
     double value;
     std::string text;
   };
-  virtual std::optional<Written> written(const std::string& option) const = 0;
-  /// `what` says what the numbers are.
-  virtual std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
+  /// In `unit`, where one is given; a shell takes "30 mm" for 0.03.
+  virtual std::optional<Written> written(const std::string& option,
+                                         const std::string& unit = "") const = 0;
+  /// A number for each of these units; `what` says what the numbers are.
+  virtual std::optional<std::vector<double>> numbers(const std::string& option,
+                                                     const std::vector<std::string>& units,
                                                      const std::string& what) const = 0;
   /// As messages name the option: --steps, or "steps".
   virtual std::string label(const std::string& option) const = 0;
@@ -118,8 +124,8 @@ public:
   };
   std::optional<Index> whole(const std::string& option, const Range& range) const;
   /// Between 0 and `end` without the two; `hint` goes on with what it is.
-  std::optional<double> number(const std::string& option, double end,
-                               const std::string& hint) const;
+  std::optional<double> number(const std::string& option, double end, const std::string& hint,
+                               const std::string& unit = "") const;
   Solver solver() const;
   std::string scene_name(std::size_t k = 0) const { return given_scene(k).name; }
   /// With the values of --set.

@@ -1,8 +1,8 @@
 #include "design/design_space.hpp"
 
 #include "design/settings.hpp"
-#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/scene_units.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -74,16 +74,17 @@ DesignSpace::Choice DesignSpace::read_choice(const std::string& text) const {
       split_at(std::string_view(text).substr(std::min(equals + 1, text.size())), ':');
   if (ends.size() != 2) refuse(text, "write PATH=FROM:TO, such as wall.friction=0.2:0.6");
   Choice choice{std::string(trimmed(std::string_view(text).substr(0, equals))), 0, 0, 0, {}, {}};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const NumberText number = read_finite_number(trimmed(ends[k]));
-    if (number.error) refuse(text, *number.error);
-    (k == 0 ? choice.from : choice.to) = number.value;
-  }
+  const bool is_line = find_line(choice.path, choice);
+  const Parameter parameter = is_line ? choice.parameters.front() : scene_.find(choice.path);
+  const auto typed = typed_ends(ends[0], ends[1], parameter.unit);
+  for (const SiNumber& number : {typed.first, typed.second})
+    if (!number.refusal.empty()) refuse(text, number.refusal);
+  choice.from = typed.first.value();
+  choice.to = typed.second.value();
   if (!(choice.from < choice.to))
     refuse(text, "there is nothing to choose between " + shown(choice.from) + " and " +
                      shown(choice.to) + "; the smaller number comes first");
-  if (find_line(choice.path, choice)) return choice;
-  const Parameter parameter = scene_.find(choice.path);
+  if (is_line) return choice;
   if (parameter.whole || parameter.kind == Parameter::Kind::tangent_turn)
     refuse(text, "it is no place, size or strength: try each value with --set");
   choice.given = parameter.value;

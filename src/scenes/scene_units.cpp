@@ -17,7 +17,7 @@
 namespace lcpush::desktop {
 namespace {
 
-/// 10^power of `si`, the unit of bare numbers; of degrees, pi / 180 of it.
+/// 10^power of `si`, the unit of bare numbers; degrees are pi / 180 rad.
 struct Unit {
   const char *name, *si;
   int power = 0;
@@ -38,6 +38,7 @@ constexpr Unit units[] = {
     {"ms", "s", -3},
     {"rad", "rad"},
     {"deg", "rad"},
+    {"deg", "degrees"},
     {"m/s", "m/s"},
     {"mm/s", "m/s", -3},
     {"rad/s", "rad/s"},
@@ -59,6 +60,7 @@ constexpr Meaning dimensions[] = {
     {"N m", "a moment"},
     {"s", "a time"},
     {"rad", "an angle"},
+    {"degrees", "an angle"},
     {"m/s", "a speed"},
     {"rad/s", "an angular velocity"},
     {"m/s^2", "an acceleration"},
@@ -92,6 +94,48 @@ Rational radians(const Rational& degrees) {
   return degrees * *Rational::parse("3.1415926535897932384626433832795028841971") / Rational(180);
 }
 
+bool is_meant(const Unit& unit, const std::vector<std::string>& si) {
+  return std::find(si.begin(), si.end(), unit.si) != si.end();
+}
+
+std::string meant(const std::vector<std::string>& si) {
+  std::vector<std::string> names;
+  for (const Unit& unit : units)
+    if (is_meant(unit, si)) names.push_back(unit.name);
+  return "; " + (names.empty() ? "a number without a unit" : listed(names, "or")) + " is meant";
+}
+
+/// Why "20 mm" is no mass.
+std::string objection(const std::string& number, const std::string& name,
+                      const std::vector<std::string>& si) {
+  if (name.empty())
+    return "the unit is missing; write " + number + " without quotes, or " +
+           quoted(number + " " + si[0]);
+  if (const Unit* const unit = called(units, name))
+    return called(dimensions, unit->si)->meaning + meant(si);
+  if (const Meaning* const foreign = called(imperial, name))
+    return quoted(name) + " is not read, " + foreign->meaning + meant(si);
+  return "the unit " + quoted(name) + " is unknown" + meant(si);
+}
+
+/// "20 mm" in one of these units; neither digits nor a refusal: it does not begin with a number.
+SiNumber in_si(std::string_view text, const std::vector<std::string>& si) {
+  const std::string_view plain = text.substr(text.substr(0, 1) == "+" ? 1 : 0);
+  const auto [length, is_whole] = decimal_prefix(plain);
+  if (!is_whole) return {};
+  const std::string number(plain.substr(0, length));
+  const std::string name(trimmed(plain.substr(length)));
+  const auto* const unit = std::find_if(std::begin(units), std::end(units), [&](const Unit& one) {
+    return name == one.name && is_meant(one, si);
+  });
+  if (unit == std::end(units)) return {"", objection(number, name, si)};
+  if (name.substr(0, 3) != "deg" || unit->si == std::string_view("degrees"))
+    return {unit->power == 0 ? number : scaled(number, unit->power), ""};
+  const std::optional<Rational> degrees = Rational::parse(number);
+  if (!degrees) return {"", "too long to be read exactly"};
+  return {radians(*degrees).text(), ""};
+}
+
 /// Turns the texts of one table's numbers into numbers.
 class UnitReader {
 public:
@@ -110,43 +154,15 @@ public:
 private:
   TomlValue converted(const std::string& said, const std::vector<std::string>& si,
                       const std::string& text, const TomlValue& as_text) const {
-    const std::string_view plain = std::string_view(text).substr(text[0] == '+' ? 1 : 0);
-    const auto [length, is_whole] = decimal_prefix(plain);
-    if (!is_whole) return as_text; // the reader of its table wants a number
-    const std::string number(plain.substr(0, length));
-    const std::string name(trimmed(plain.substr(length)));
-    const Unit* const unit = called(units, name);
-    const bool is_meant = unit != nullptr && std::find(si.begin(), si.end(), unit->si) != si.end();
-    if (!is_meant) fail(as_text.line, said + objection(number, name, si));
+    const SiNumber number = in_si(text, si);
+    if (!number.refusal.empty()) fail(as_text.line, said + number.refusal);
+    if (number.digits.empty()) return as_text; // the reader of its table wants a number
+    if (number.digits.find('/') != std::string::npos)
+      return {as_text.line, number.value(), number.digits};
     TomlValue value{as_text.line, 0.0};
-    const std::string in_si = unit->power == 0 ? number : scaled(number, unit->power);
-    if (const auto error = read_toml_number(in_si, value)) fail(as_text.line, said + *error);
-    if (name.substr(0, 3) == "deg") {
-      const std::optional<Rational> degrees = Rational::parse(number);
-      if (!degrees) fail(as_text.line, said + "too long to be read exactly");
-      value = {as_text.line, radians(*degrees).value(), radians(*degrees).text()};
-    }
+    if (const auto error = read_toml_number(number.digits, value))
+      fail(as_text.line, said + *error);
     return value;
-  }
-
-  /// Why "20 mm" is no mass.
-  static std::string objection(const std::string& number, const std::string& name,
-                               const std::vector<std::string>& si) {
-    if (name.empty())
-      return "the unit is missing; write " + number + " without quotes, or " +
-             quoted(number + " " + si[0]);
-    if (const Unit* const unit = called(units, name))
-      return called(dimensions, unit->si)->meaning + meant(si);
-    if (const Meaning* const foreign = called(imperial, name))
-      return quoted(name) + " is not read, " + foreign->meaning + meant(si);
-    return "the unit " + quoted(name) + " is unknown" + meant(si);
-  }
-
-  static std::string meant(const std::vector<std::string>& si) {
-    std::vector<std::string> names;
-    for (const Unit& unit : units)
-      if (std::find(si.begin(), si.end(), unit.si) != si.end()) names.push_back(unit.name);
-    return "; " + listed(names, "or") + " is meant";
   }
 
   [[noreturn]] void fail(int line, const std::string& message) const {
@@ -207,6 +223,29 @@ void read_units(const std::string& section, const std::string& label, bool plana
 }
 
 } // namespace
+
+double SiNumber::value() const {
+  const NumberText number = read_finite_number(digits);
+  return number.error ? Rational::parse(digits)->value() : number.value;
+}
+
+SiNumber typed_number(std::string_view word, const std::string& unit) {
+  const std::string text(trimmed(word));
+  const NumberText bare = read_finite_number(text);
+  if (!bare.error) return {text, ""};
+  SiNumber number = in_si(text, {unit});
+  if (number.refusal.empty() && number.digits.empty()) number.refusal = *bare.error;
+  return number;
+}
+
+std::pair<SiNumber, SiNumber> typed_ends(std::string_view from, std::string_view to,
+                                         const std::string& unit) {
+  const std::string_view end = trimmed(to);
+  std::string begin(trimmed(from));
+  if (!read_finite_number(begin).error && read_finite_number(end).error)
+    begin += end.substr(decimal_prefix(end).length);
+  return {typed_number(begin, unit), typed_number(end, unit)};
+}
 
 TomlDocument parse_scene_tables(std::string_view text, const std::string& file_name) {
   TomlDocument document = parse_toml(text, file_name);

@@ -3,7 +3,7 @@ import math
 import subprocess
 import sys
 
-from tool import SOURCE, ToolTest, json_of, main, run, unwrapped
+from tool import SCENES, SOURCE, ToolTest, json_of, main, run, unwrapped
 from scene_tables import finger, pusher, table
 
 # (SI, the same with units); "" stands for its absence.
@@ -365,6 +365,37 @@ class Poses(SceneTest):
                          if "on =" in new else self.text.replace(old, new))
             self.assertIn(said, unwrapped(result.stderr))
         self.assertIn("out of the x-y plane", run("matrices", "-", text=SLOPE % ("velocity = [0, 0, 1]", 1)).stderr)
+
+
+class UnitsOnTheCommandLine(ToolTest):
+    def test_a_number_with_a_unit_is_the_bare_number_in_si(self):
+        for command, scene, bare, units in [
+                ("sweep", "pivot.toml", ("--vary", "edge.shift[0]=0:0.03"), ("--vary", "edge.shift[0]=0:30 mm")),
+                ("sweep", "pivot.toml", ("--vary", "edge.shift[0]=-0.004:0.03"), ("--vary", "edge.shift[0]=-4:30 mm")),
+                ("sweep", "pivot.toml", ("--vary", "edge.turn=0:30"), ("--vary", "edge.turn=0:30 deg")),
+                ("sweep", "pivot.toml", ("--vary", "edge.friction=0:1", "--each", "object.mass=0.1,0.2"),
+                 ("--vary", "edge.friction=0:1", "--each", "object.mass=100 g,0.2kg")),
+                ("move", "pivot.toml", ("--time", "0.1", "--stop-after", "0.002", "--step", "0.002"),
+                 ("--time", "100 ms", "--stop-after", "2mm", "--step", "2 ms")),
+                ("hold", "straight_slide.toml", ("--at", "0.01 0 -0.02"), ("--at", "10 mm 0 -20mm")),
+                ("hold", "straight_slide.toml", ("--tolerance", "object.mass=0.1:0.12"),
+                 ("--tolerance", "object.mass=100:120 g"))]:
+            with self.subTest(units):
+                self.assertEqual(json_of(command, SCENES / scene, *units), json_of(command, SCENES / scene, *bare))
+        square = SOURCE / "docs/guide/square.toml"
+        self.assertEqual(json_of("cone", square, "--pusher", "east", "--twist", "-10 mm/s, 2 mm/s, 0 deg/s")["edges"],
+                         json_of("cone", square, "--pusher", "east", "--twist", "-0.01 0.002 0")["edges"])
+
+    def test_another_dimension_is_refused_with_what_is_meant(self):
+        for words, said in [
+                (("sweep", "--vary", "edge.shift[0]=0:30 g"), "a mass; m, cm, mm or um is meant"),
+                (("sweep", "--vary", "edge.friction=0:1 mm"), "a length; a number without a unit is meant"),
+                (("move", "--time", "3 kg"), '--time "3 kg": a mass; s or ms is meant'),
+                (("hold", "--tolerance", "object.mass=1:2 mm"), "a length; kg or g is meant"),
+                (("hold", "--at", "1 mm 2 N 3 mm"), "a force; m, cm, mm or um is meant")]:
+            result = run(words[0], SCENES / "pivot.toml", *words[1:])
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(said, unwrapped(result.stderr))
 
 
 main()
