@@ -15,8 +15,8 @@ HEAD, *PUSHERS = open("docs/guide/square.toml", encoding="utf-8").read().split("
 
 def scene(grip, friction, gravity):
     head = f"gravity = [0, {-gravity}, 0]\n" + HEAD
-    for z in ("0.005", "-0.005"):
-        head = head.replace(f"center = [0, 0, {z}]", f"center = [{-grip[0]}, {-grip[1]}, {z}]")
+    for face in ("+z", "-z"):
+        head = head.replace(f'on = "{face}"', f'on = "{face}"\ncenter = [{-grip[0]}, {-grip[1]}]')
     return "\n[[pusher]]".join([head] + [p.replace("0.9", str(friction)) for p in PUSHERS])
 
 

@@ -198,7 +198,7 @@ BoxAnswer Box::answer() const {
   BoxAnswer answer;
   for (const Parameter& parameter : parameters_)
     answer.box.push_back({parameter.path, Rational::parse(parameter.ends[0])->value(),
-                          Rational::parse(parameter.ends[1])->value()});
+                          Rational::parse(parameter.ends[1])->value(), true});
   return answer;
 }
 

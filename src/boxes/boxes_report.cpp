@@ -69,14 +69,22 @@ std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std
   std::string text = title_line(middle) +
                      box_sentence(answer, subject, does, fails, "at the corner below") + "\n\n";
   TableRows rows{{"number", "from", "to"}};
+  std::vector<std::string> idle;
   const bool has_corner = !answer.corner.empty();
   if (has_corner) rows[0].push_back("at the corner");
   for (std::size_t k = 0; k < answer.box.size(); ++k) {
     const BoxRange& range = answer.box[k];
+    if (!range.counts) {
+      idle.push_back(range.path);
+      continue;
+    }
     rows.push_back({range.path, brief(range.low), brief(range.high)});
     if (has_corner) rows.back().push_back(brief(answer.corner[k].second));
   }
-  return text + table_text(rows) + "\n" + facts_text({{"Friction", friction_law_text(middle)}});
+  if (rows.size() > 1) text += table_text(rows) + "\n";
+  std::vector<Fact> facts{{"Friction", friction_law_text(middle)}};
+  if (!idle.empty()) facts.push_back({"No part in it", listed(idle, "and")});
+  return text + facts_text(facts);
 }
 
 } // namespace lcpush::desktop

@@ -38,6 +38,9 @@ private:
     for (const BoxSide& side : box_.sides()) {
       const bool is_idle = side.role == Role::pusher || side.is_one_of(keys_of_pushes);
       counts_.push_back(!is_idle);
+      for (BoxRange& range : answer_.box)
+        for (const Parameter& parameter : side.parameters)
+          if (range.path == parameter.path) range.counts = !is_idle;
       if (!is_idle && side.key != "friction" && !side.is_one_of(load_keys) &&
           !side.is_one_of(sizes))
         obstacle_ = "what is held is not known to be convex in " + side.parameters[0].path;

@@ -152,7 +152,7 @@ std::string slip_words(const SceneFile& file, const PushModel& model, std::size_
     return object + " slips over " + name + " along " +
            direction_text(Vector3<double>((condition == 0 ? -1 : 1) * along));
   const Index outer = pusher.first_point + (condition == 2 ? model.first() : model.last());
-  return object + " turns about " + point_name(file, outer) + " off the rest of " + name;
+  return object + " turns about " + point_name(file, outer) + " and leaves the rest of " + name;
 }
 
 /// The share is convex in each number of the load, and falls with friction and grip.

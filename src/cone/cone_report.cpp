@@ -78,7 +78,7 @@ std::string edge_words(const SceneFile& file, const ConeReport& report,
 std::string side_words(const SceneFile& file, const ConeReport::Side& side) {
   const std::string pusher = file.body_name(file.body_of(side.point));
   if (side.is_slip) return "slips over " + pusher + " along " + direction_text(side.slips);
-  return "turns about " + point_name(file, side.point) + " off the rest of " + pusher;
+  return "turns about " + point_name(file, side.point) + " and leaves the rest of " + pusher;
 }
 
 std::string cone_sentence(const SceneFile& file, const ConeReport& report) {
@@ -97,10 +97,10 @@ std::string cone_sentence(const SceneFile& file, const ConeReport& report) {
            (verdict.sticks ? ", or drags it along by friction; both obey the laws." : ".");
   const std::string angle = brief(std::abs(verdict.margin) * degrees_a_radian) + " degrees";
   if (verdict.sticks)
-    return "The push of " + pusher + " sticks: " + angle + " on, " + beyond_words(file, report) +
-           ".";
+    return "The push of " + pusher + " sticks, and so does every push within " + angle +
+           " of it; beyond, " + beyond_words(file, report) + ".";
   return "The push of " + pusher + " slips: it is " + angle +
-         " beside the motions that stick, where " + beyond_words(file, report) + ".";
+         " outside the motions that stick; there " + beyond_words(file, report) + ".";
 }
 
 std::string cone_text(const SceneFile& file, const ConeReport& report, Telling telling) {

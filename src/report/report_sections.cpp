@@ -116,8 +116,9 @@ Section contacts_section(const PageContent& content) {
   const auto add = [&text](const char* title, const std::vector<std::string>& sentences) {
     if (!sentences.empty()) text += std::string("<h3>") + title + "</h3>\n" + list_html(sentences);
   };
-  add("Soft contacts", torsion_sentences(content.file, content.push));
-  add("Bodies whose actuators move them", closing_sentences(content.file, content.push));
+  add("Soft contacts", torsion_sentences(content.file, content.push, Telling::full));
+  add("Bodies whose actuators move them",
+      closing_sentences(content.file, content.push, Telling::full));
   return {"contacts", "Contacts", text};
 }
 

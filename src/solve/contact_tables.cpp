@@ -54,14 +54,15 @@ std::vector<ContactLine> each_body(const SceneFile& file, const PushReport& repo
   return list;
 }
 
+std::string digits(double x, double zero, Telling telling) {
+  return telling == Telling::full ? number(x, zero) : brief(x, zero);
+}
+
 } // namespace
 
 TableRows contact_rows(const SceneFile& file, const PushReport& report, Telling telling) {
   const bool is_full = telling == Telling::full;
   const Noise& noise = is_full ? report.noise : report.brief_noise;
-  const auto digits = [&](double x, double zero) {
-    return is_full ? number(x, zero) : brief(x, zero);
-  };
   const std::vector<ContactLine> contacts =
       is_full ? each_point(file, report) : each_body(file, report);
   TableRows rows{
@@ -73,21 +74,22 @@ TableRows contact_rows(const SceneFile& file, const PushReport& report, Telling 
     if (friction > noise.force)
       along = is_full ? vector_text(contact.friction / friction, word_settings.component)
                       : direction_text(contact.friction / friction);
-    rows.push_back({contact.name, contact.does, digits(contact.normal, noise.force),
-                    digits(friction, noise.force), along,
-                    digits(contact.slip, noise.acceleration)});
-    if (is_full) rows.back().push_back(digits(contact.opening, noise.acceleration));
+    rows.push_back({contact.name, contact.does, digits(contact.normal, noise.force, telling),
+                    digits(friction, noise.force, telling), along,
+                    digits(contact.slip, noise.acceleration, telling)});
+    if (is_full) rows.back().push_back(digits(contact.opening, noise.acceleration, telling));
   }
   return rows;
 }
 
-std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report) {
+std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report,
+                                           Telling telling) {
   const Scene<double> scene = file.view();
   std::vector<std::string> list;
   const auto add = [&](const std::string& name, double s) {
     if (std::abs(s) > report.noise.acceleration)
-      list.push_back(name + (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) +
-                     " m/s^2");
+      list.push_back(name + (s > 0 ? " closes at " : " is forced open at ") +
+                     digits(std::abs(s), 0, telling) + " m/s^2");
   };
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<double>& body = scene.bodies[b];
@@ -100,16 +102,18 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
   return list;
 }
 
-std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report) {
+std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report,
+                                           Telling telling) {
   std::vector<std::string> list;
   for (Index i = 0; i < report.answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = report.answer.contacts[i];
     if (file.body(contact.body).torsion_radius > 0)
-      list.push_back(point_name(file, i) + " twists the object with " +
-                     number(contact.torsion, report.noise.moment) +
-                     " N m about its normal, against a spin of " +
-                     number(contact.spin, report.noise.acceleration / report.scales.length) +
-                     " rad/s^2");
+      list.push_back(
+          point_name(file, i) + " twists the object with " +
+          digits(contact.torsion, report.noise.moment, telling) +
+          " N m about its normal, against a spin of " +
+          digits(contact.spin, report.noise.acceleration / report.scales.length, telling) +
+          " rad/s^2");
   }
   return list;
 }

@@ -124,8 +124,8 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   if (is_full) text += facts_text({hold_fact(file, hold)}) + facts_text(push_facts(file, report));
   if (!is_solved) return text + ray_text(report) + "\n" + run_line(file, report);
   text += "\n" + table_text(contact_rows(file, report, telling));
-  text += list_text("Soft contacts:", torsion_sentences(file, report));
-  text += list_text("Bodies whose actuators move them:", closing_sentences(file, report));
+  text += list_text("Soft contacts:", torsion_sentences(file, report, telling));
+  text += list_text("Bodies whose actuators move them:", closing_sentences(file, report, telling));
   text += friction_text(file, report) + others_text(file, report);
   return is_full ? text + residual_line(report.residuals) + run_line(file, report) : text;
 }

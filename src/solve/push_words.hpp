@@ -45,9 +45,11 @@ bool has_pusher(const SceneFile& file);
 TableRows contact_rows(const SceneFile& file, const PushReport& report,
                        Telling telling = Telling::full);
 /// Soft points twist: their torque, and how fast they spin.
-std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report);
+std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report,
+                                           Telling telling);
 /// Bodies whose actuators move them.
-std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report);
+std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report,
+                                           Telling telling);
 /// How the answer was found, without a full stop or an end of line.
 std::string run_words(const SceneFile& file, const RunReport& report);
 

@@ -74,7 +74,7 @@ class Cone(unittest.TestCase):
     def test_text_fits_and_says_what_is_beyond(self):
         result = run(SQUARE, "--pusher", "east", "-v")
         self.assertEqual(result.returncode, 0)
-        self.assertIn("The push of east sticks:", result.stdout)
+        self.assertIn("The push of east sticks, and so does", result.stdout)
         self.assertIn("the box slips over east along +y", result.stdout)
         self.assertTrue(all(len(line) <= 80 for line in result.stdout.splitlines()))
         away = run(SQUARE, "--pusher", "east", "--twist", "1 0 0")
@@ -102,7 +102,7 @@ class Cone(unittest.TestCase):
         refused = [
             ((("planar = true\n", "gravity = [0, 0, -9.81]\n"),), "say planar = true"),
             ((("planar = true", 'planar = true\npressure = "rigid"'),), "pad"),
-            ((("normal = [0, 0, 1]", "normal = [0, 1, 0]"),), "lies in the plane"),
+            ((('on = "-z"', 'on = "+y"'),), "lies in the plane"),
             ((('shape = "disc"', 'shape = "point"'), ("radius = 0.01\n", "")), "resist no turning"),
             ((("friction = 0.9\nvelocity = [-0.01", "friction = 0\nvelocity = [-0.01"),),
              "without friction"),

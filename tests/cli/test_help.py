@@ -19,7 +19,7 @@ LABELS = [  # what varies in the straight slide, the plot's axis
     ("*.grip_force=2:30", "grip force, N"), ("wall.friction=0.1:0.3", "friction of wall"),
     ("wall.shift[1]=0:0.01", "shift of wall along y, m"), ("object.mass=0.1:0.3", "mass of the object, kg"),
     ("gravity[1]=-9:-1", "gravity along y, m/s^2"), ("wall.turn=-10:10", "turn of wall, degrees"),
-    ("wall.ends[0][1]=-0.015:-0.01", "ends of wall no. 1 along y, m"),
+    ("left.points[0][1]=-0.005:0.005", "points of left no. 1 along y, m"),
 ]
 
 

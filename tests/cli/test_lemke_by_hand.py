@@ -152,7 +152,7 @@ for words in (["fixtures/scenes/coin.toml", "--exact"], ["fixtures/scenes/squeez
 with tempfile.TemporaryDirectory() as folder:  # a finger beside its object: a warning
     odd = pathlib.Path(folder) / "odd.toml"
     odd.write_text((source / "fixtures/scenes/squeeze.toml").read_text().replace(
-        "center = [0.05,", "center = [0.5,"))
+        'on = "-x"', "normal = [1, 0, 0]\ncenter = [0.5, 0, 0]"))
     written |= set(keys(trace(str(odd))))
 assert "warnings" in written
 assert not written & DRAWING, "the drawing is the page's own"

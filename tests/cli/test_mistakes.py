@@ -57,7 +57,7 @@ COMMANDS = [
     ("sweep good.toml --vary left.grip_force", "--vary needs PATH=FROM:TO"),
     ("sweep good.toml --vary left.grip_force=5,40", 'write --vary "left.grip_force=5:40"'),
     ("sweep good.toml --vary *.grip_force=5:40:10", "--steps says how many values"),
-    ("sweep good.toml --vary *.grip_force=5N:40N", '"5N" is not a number'),
+    ("sweep good.toml --vary *.grip_force=5m:40m", "a length; N, mN or kN is meant"),
     ("sweep good.toml --vary *.grip_force=5:5", "from and to are the same"),
     ("sweep good.toml --vary *.grip_force=0:40", "good.toml:17:", "(at *.grip_force = 0)"),
     ("sweep good.toml --vary left.grip_force=5:40", "good.toml:26:", "parallel jaws share one grip_force"),

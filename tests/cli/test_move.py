@@ -184,7 +184,7 @@ class Move(unittest.TestCase):
         for words, message in (
                 (("--time", "-1"), "--time is a number between 0 and 1e+06, in seconds, such as 2.5, not"),
                 (("--step", "0"), "--step is a number between 0 and 1e+06, in seconds, such as 0.001, not"),
-                (("--stop-after", "30mm"), "in metres, such as 0.03, not \"30mm\""),
+                (("--stop-after", "far"), "in metres, such as 0.03, not \"far\""),
                 (("--time", "10", "--step", "1e-7"), "makes more than the 1000000"),
                 (("--step", "0.1", "--tolerance", "1e-4"), "give one of the two"),
                 (("--frames", "1"), "--frames"), (("--format", "png"), "--format")):

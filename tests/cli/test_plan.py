@@ -13,9 +13,20 @@ SQUARE = SOURCE / "docs/guide/square.toml"
 
 def square(grip=(0.0, 0.0), head=""):
     text = SQUARE.read_text()
-    for z in ("0.005", "-0.005"):
-        text = text.replace(f"center = [0, 0, {z}]", f"center = [{grip[0]}, {grip[1]}, {z}]")
+    for face in ("+z", "-z"):
+        text = text.replace(f'on = "{face}"', f'on = "{face}"\ncenter = [{grip[0]}, {grip[1]}]')
     return head + text
+
+
+def with_walls(text, half):
+    """Their ends as numbers, so that they may be wider than the square."""
+    for on, normal, ends in (('on = "+x"\nalong = "y"', "[-1, 0, 0]", "[[0.05, -{0}, 0], [0.05, {0}, 0]]"),
+                             ('on = "-y"\nalong = "x"', "[0, 1, 0]", "[[-{0}, -0.05, 0], [{0}, -0.05, 0]]"),
+                             ('on = "+y"\nalong = "x"', "[0, -1, 0]", "[[-{0}, 0.05, 0], [{0}, 0.05, 0]]")):
+        old = f'{on}\nlength = "80 mm"'
+        assert old in text
+        text = text.replace(old, f"normal = {normal}\nends = {ends.format(half)}")
+    return text
 
 
 def goal(dx, dy, angle):
@@ -86,7 +97,7 @@ class Plan(unittest.TestCase):
 
     def test_walls_as_wide_as_the_object_or_wider_push_along_its_face(self):
         for half in ("0.05", "0.06"):
-            text = square().replace("0.04", half)
+            text = with_walls(square(), half)
             for to in ((-0.035, -0.025, 0.1), (-0.04, 0.01, -0.15), (-0.04, 0.02, 0.1)):
                 plan = json.loads(run("plan", "-", "--to", goal(*to), "--json", text=text).stdout)
                 self.assertTrue(plan["found"], (half, to))
@@ -94,7 +105,7 @@ class Plan(unittest.TestCase):
                 self.assertLess(math.hypot(x - to[0], y - to[1]), 1e-3)
                 self.assertLess(abs(angle - to[2]), math.radians(1))
                 self.assertTrue(all(push["reach"] < 0.05 for push in plan["pushes"]))
-        beside = run("plan", "-", "--to", "-0.01 0 0", text=square().replace(
+        beside = run("plan", "-", "--to", "-0.01 0 0", text=with_walls(square(), "0.04").replace(
             "[[0.05, -0.04, 0], [0.05, 0.04, 0]]", "[[0.05, 0.06, 0], [0.05, 0.09, 0]]"))
         self.assertEqual(beside.returncode, 2)
 
@@ -217,7 +228,7 @@ class Plan(unittest.TestCase):
             self.assertEqual(result.returncode, 2, words)
             self.assertIn(said, result.stderr)
         apart = run("plan", "-", "--to", "-0.01 0 0",
-                     text=square().replace("[[0.05, -0.04, 0], [0.05", "[[0.055, -0.04, 0], [0.055"))
+                     text=with_walls(square(), "0.04").replace("[[0.05, -0.04, 0], [0.05", "[[0.055, -0.04, 0], [0.055"))
         self.assertEqual(apart.returncode, 2)
         self.assertIn("east.1 stands 5 mm off the object", unwrapped(apart.stderr))
         spatial = run("plan", "-", "--to", "-0.01 0 0",

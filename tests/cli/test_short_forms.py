@@ -241,8 +241,8 @@ class Faces(SceneTest):
     def test_an_edge_beyond_the_face_is_cut_where_it_then_stands(self):
         face = {"object": 'box = [0.1, 0.08, 0.02]', "place": 'on = "-x"\nalong = "y"\nlength = "200 mm"'}
         text = (SOURCE / "fixtures/scenes/straight_slide.toml").read_text()
-        text = text.replace("box = [0.1, 0.03, 0.01]", face["object"]).replace(
-            "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]\n", face["place"] + "\n").replace("normal = [1, 0, 0]\n", "")
+        text = text.replace("box = [0.1, 0.03, 0.01]", face["object"]).replace('on = "-x"\nalong = "y"', face["place"])
+        self.assertIn(face["place"], text)
         places = []
         for shift in (0, -0.06, -0.13):
             answer = json_of("solve", "-", "--set", f"wall.shift[1]={shift}", text=text)

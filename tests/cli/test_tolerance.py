@@ -13,7 +13,8 @@ UNCERTAIN = SOURCE / "docs/guide/uncertain_slide.toml"
 SQUARE, SLIDE = SOURCE / "docs/guide/square.toml", SCENES / "straight_slide.toml"
 DEEP = "--all" in sys.argv
 BOXES, SAMPLES = (200, 10000) if DEEP else (20, 300)
-SLIDE_TEXT = SLIDE.read_text().replace("gravity = [0,", "planar = true\ngravity = [0,")
+SLIDE_TEXT = SLIDE.read_text().replace("gravity = [0,", "planar = true\ngravity = [0,").replace(
+    'on = "-x"\nalong = "y"', "normal = [1, 0, 0]\nends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]")
 ALL = ("--tolerance", "*.friction", "--tolerance", "*.grip_force", "--tolerance", "object.mass")
 
 
@@ -196,7 +197,7 @@ class Tolerance(ToolTest):
         scene = self.file("slide.toml", SLIDE_TEXT)
         for given, said in (("wall.fricton=10%", 'did you mean "wall.friction"'), ("wall.friction=-3%", "not negative"),
                             ("wall.friction=0.5:0.3", "backwards"), ("wall.friction=200%", "friction must be >= 0, got -0.3"),
-                            ("facets=10%", "counts something"), ("wall.turn=10%", "is a turn"), ("wall.friction=x%", "is no number"),
+                            ("facets=10%", "counts something"), ("wall.turn=10%", "is a turn"), ("wall.friction=x%", "is not a number"),
                             ("wall.friction=0.3", "write PATH=10%"), ("left.grip_force=10%", "share one grip_force")):
             refused = run("cone", scene, "--tolerance", given)
             self.assertEqual(refused.returncode, 2, given)

@@ -89,7 +89,7 @@ class Forces(ToolTest):
 
     def test_pads_that_close_each_by_itself_keep_them_too(self):
         text = (SCENES / "straight_slide_point.toml").read_text()
-        tilting = text.replace("[-0.05, 0, 0]", "[-0.05, 0, 0.002]").replace("title", 'pressure = "even"\ntitle')
+        tilting = text.replace('on = "-x"', 'on = "-x"\ncenter = [0, 0.002]').replace("title", 'pressure = "even"\ntitle')
         self.assertIn("0.002", tilting)
         scene = self.file("tilting.toml", tilting)
         self.keeps_every_law(scene, "pads", "json", "--time", 0.05, "--step", 0.001, "--frames", 51)

@@ -70,6 +70,9 @@ class Laws:
         self.facets = scene.get("facets", 8)
         self.bodies = {body["name"]: body for kind in ("finger", "pusher") for body in scene.get(kind, [])}
         for body in self.bodies.values():
+            if "on" in body:
+                sign = -1 if body["on"][0] == "+" else 1
+                body["normal"] = [sign * (axis == body["on"][1]) for axis in "xyz"]
             body["n"] = [x / norm(body["normal"]) for x in body["normal"]]
         self.jaws, self.actuators = scene.get("gripper", {}).get("jaws"), scene.get("actuator", [])
         self.fingers = [b for b in scene.get("finger", []) if "grip_force" in b]

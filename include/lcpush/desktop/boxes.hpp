@@ -31,6 +31,7 @@ constexpr const char* box_verdict_text(BoxVerdict verdict) {
 struct BoxRange {
   std::string path;
   double low, high;
+  bool counts = true; ///< can the answer depend on it?
 };
 
 struct BoxAnswer {
