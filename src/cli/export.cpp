@@ -19,10 +19,25 @@ int write_program(const Arguments& arguments, const SceneFile& file, const std::
   return 0;
 }
 
+/// scene.xml or scene.sdf.
+int write_engine_scene(const Arguments& arguments, const std::string& directory) {
+  const bool is_mjcf = arguments.format() == "mjcf";
+  const SceneFile file = arguments.scene(commands::Needs::scene, Strokes::all);
+  const std::string text = is_mjcf ? mjcf_text(file) : sdf_text(file);
+  make_directory(directory);
+  const std::string path =
+      (std::filesystem::path(directory) / (is_mjcf ? "scene.xml" : "scene.sdf")).string();
+  write_file(path, text);
+  tell("Wrote " + path + "; docs/check/export.md says what stands for contact points.");
+  return 0;
+}
+
 int run_export(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.text("output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
   const bool is_program = arguments.format() == "c";
+  if (arguments.format() == "mjcf" || arguments.format() == "sdf")
+    return write_engine_scene(arguments, *directory);
   SceneFile file = arguments.scene(is_program ? commands::Needs::scene : commands::Needs::matrix);
   if (is_program) return write_program(arguments, file, *directory);
   file.is_round = false;
@@ -61,23 +76,25 @@ int run_export(const Arguments& arguments) {
 ShellCommand export_command() {
   return {
       {"export",
-       "SCENE.toml [--format c] -o DIRECTORY",
+       "SCENE.toml [--format c|mjcf|sdf] -o DIRECTORY",
        "the problem for other solvers, with scripts that run them",
        R"(Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without
 a pressure law), names.txt, a line an unknown, and free.txt, which of them are free; the
 paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the local problem
 of FCLIB; and solve_push.py and solve_push.m, which solve the program and write answer.json.
-With --format c instead main.c: the scene, its memory and a control loop for a device.
+With --format c instead main.c: the scene, its memory and a control loop for a device. With
+--format mjcf or sdf instead scene.xml for MuJoCo or scene.sdf for Gazebo.
 
 Example:
   lcpush export fixtures/scenes/straight_slide.toml -o slide
   lcpush export fixtures/scenes/straight_slide.toml --format c -o device
+  lcpush export fixtures/scenes/straight_slide.toml --format mjcf -o mujoco
 )",
-       {commands::format_option("files (default) or c", "files|c"),
+       {commands::format_option("files (default), c, mjcf or sdf", "files|c|mjcf|sdf"),
         commands::set_option,
         {"output", "DIRECTORY", "made if missing, with its parents; -o for short"}},
        nullptr,
-       {"files", "c"}},
+       {"files", "c", "mjcf", "sdf"}},
       run_export};
 }
 

@@ -40,4 +40,10 @@ Export export_scene(const SceneFile& file);
 /// loop. Its last tick is the scene's push, in float.
 std::string c_program(const SceneFile& file);
 
+/// The scene for engines of rigid bodies: MuJoCo's XML (MJCF) and SDFormat 1.9; a sentence as
+/// InputError on what they cannot say. Bodies slide, press and rub as the scene's; what stands for
+/// contact points, and what engines add (soft contact, steps), docs/check/export.md tells.
+std::string mjcf_text(const SceneFile& file);
+std::string sdf_text(const SceneFile& file);
+
 } // namespace lcpush::desktop
