@@ -91,6 +91,7 @@ private:
   std::string contacts() const;
   std::string pressing() const;
   std::string trace() const;
+  std::string spoke() const;
   std::string dots() const;
 };
 
@@ -146,7 +147,11 @@ std::string StatePainter::label(Index b, const Frame& object) const {
   else if (std::abs(at.y() - object.bottom) < line)
     at.y() = object.bottom + line;
   at.y() = std::clamp(at.y(), line, state_height - line);
-  return text_element(std::string("label ") + (body.role == Role::pusher ? "pusher" : "finger"),
+  const Pixel named = sight_.place(middle(b));
+  // Of what lies over the object, the name may lie over it, too.
+  const std::string leader = is_seen_across ? "" : line_element("leader", at, named);
+  return leader +
+         text_element(std::string("label ") + (body.role == Role::pusher ? "pusher" : "finger"),
                       at + Pixel(0, 4), words,
                       away.x() < -0.3  ? "end"
                       : away.x() > 0.3 ? "start"
@@ -204,6 +209,16 @@ std::string StatePainter::trace() const {
   return polyline_element("trace", places);
 }
 
+/// While the push is played: a mark that turns with the object, where the outline of a cylinder or
+/// a ball would not show it.
+std::string StatePainter::spoke() const {
+  if (!look_.moment) return "";
+  const Vector3<double> at = drawn_.center() + look_.moment->object.position;
+  const Vector3<double> right = look_.moment->object.turned(view_.right);
+  return line_element("tick", sight_.place(at), sight_.place(at + 0.3 * drawn_.reach() * right)) +
+         circle_element("center", sight_.place(at), 3.4);
+}
+
 std::string StatePainter::dots() const {
   std::string text;
   for (const OtherPlace& dot : look_.dots) {
@@ -230,7 +245,7 @@ std::string StatePainter::svg(const std::string& title) const {
          pixels(state_height, 0) +
          "\" role=\"group\" tabindex=\"0\" aria-label=\"The grasp: " + escaped(title) + "\">\n" +
          axes_in_space(view_, {44, state_height - 40}, 26) + behind + object.elements + ghost +
-         before + trace() + dots() + contacts() + pressing() + labels + "</svg>";
+         before + trace() + spoke() + dots() + contacts() + pressing() + labels + "</svg>";
 }
 
 StatePicture state_picture(const DrawnScene& drawn, const PushReport& report, const Look& look,

@@ -144,8 +144,8 @@ async function keyboard(browser) {
   const rim = (text) => [/cylinder_radius = ([\d.]+)/, /ends = \[\[(-?[\d.]+)/]
     .map((pattern) => Math.abs(pattern.exec(text)[1]));
   const [radius, place] = rim((await state(page)).text);
-  await page.getByRole('spinbutton', { name: 'object: radius, m, as a number' })
-    .fill(String(2 * radius));
+  await page.getByRole('spinbutton', { name: 'object: radius, mm, as a number' })
+    .fill(String(2000 * radius));
   await page.keyboard.press('Enter');
   assert.equal((await state(page)).failure, '');
   assert.deepEqual(rim((await state(page)).text), [2 * radius, 2 * place],

@@ -29,6 +29,13 @@
       (state, value) => edits.set(state.text, section, key, value));
   }
 
+  /// Kept in metres and shown in millimetres, also of speeds.
+  function in_mm({ label, unit, least, most, step, read, write }) {
+    const shown = (x) => (Number.isFinite(x) ? tidy(1000 * x) : x);
+    return number(label, `m${unit}`, 1000 * least, shown(most), 1000 * step,
+      (toml) => shown(read(toml)), (state, value) => write(state, value / 1000));
+  }
+
   /// The length and the direction of the vector `key` in a plane; the rest of it stays.
   function vector_of(name, section, key, unit, most, step, plane) {
     const read = (toml) => toml.get(section(toml), key) || [0, 0, 0];
@@ -74,15 +81,15 @@
       0.001)];
     if (Array.isArray(box))
       for (const axis of [0, 1, 2])
-        controls.push(number(`size ${'xyz'[axis]}`, 'm', 0.002, round_up(3 * box[axis]), 0.001,
+        controls.push(in_mm(number(`size ${'xyz'[axis]}`, 'm', 0.002, round_up(3 * box[axis]), 0.001,
           (now) => now.get(edits.object(now), 'box')?.[axis],
-          (current, value) => edits.with_edge(current, axis, value)));
+          (current, value) => edits.with_edge(current, axis, value))));
     for (const [key, label] of [['cylinder_radius', 'radius'], ['cylinder_length', 'length']]) {
       const size = toml.get(edits.object(toml), key);
       if (size > 0)
-        controls.push(number(label, 'm', 0.001, round_up(3 * size), 0.001,
+        controls.push(in_mm(number(label, 'm', 0.001, round_up(3 * size), 0.001,
           (now) => now.get(edits.object(now), key),
-          (current, value) => edits.with_cylinder(current, key, value)));
+          (current, value) => edits.with_cylinder(current, key, value))));
     }
     return controls;
   }
@@ -112,8 +119,9 @@
     const axis = 3 - plane[0] - plane[1];
     const turning = `angular_${key}`;
     const [metres, radians] = key === 'velocity' ? ['m/s', 'rad/s'] : ['m/s\u00b2', 'rad/s\u00b2'];
-    controls.push(...vector_of('push', named, key, metres,
-      round_up(3 * Math.max(length_in(plane, push), 0.1)), 0.001, plane));
+    const [size, direction] = vector_of('push', named, key, metres,
+      round_up(3 * Math.max(length_in(plane, push), 0.1)), 0.001, plane);
+    controls.push(key === 'velocity' ? in_mm(size) : size, direction);
     const rates = (now) => now.get(named(now), turning) || [0, 0, 0];
     controls.push(number(`turning ${'xyz'[axis]}`, radians, -20, 20, 0.1,
       (now) => rates(now)[axis],

@@ -202,12 +202,18 @@
         button.setAttribute('aria-pressed', String(button.dataset.view === this.view.name));
     }
 
-    /// The object will go so far [m], and may turn: all of that is to be seen.
-    make_room(way) {
+    /// The object will go so far [m], and may turn: all of that is to be seen, before it sets off.
+    async make_room(way) {
       if (way * this.meters < margin) return; // the picture keeps its scale
       const { width, height } = by_id('picture').querySelector('svg').viewBox.baseVal;
       const most = (Math.min(width, height) / 2 - margin) / (way + this.state.scene.reach);
-      this.meters = Math.min(this.meters, most);
+      const from = this.meters, to = Math.min(from, most);
+      const moments = matchMedia('(prefers-reduced-motion: reduce)').matches ? 1 : 24;
+      for (let k = 1; k <= moments && to < from; k += 1) {
+        this.meters = from * (to / from) ** (k / moments);
+        this.draw();
+        await new Promise(requestAnimationFrame);
+      }
     }
 
     /// A body in somebody's hand.

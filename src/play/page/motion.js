@@ -50,12 +50,12 @@
         by_id('time').max = answer.frames.length - 1;
         by_id('motion').textContent = sentence;
         if (answer.frames.length < 2) return false;
-        this.app.make_room(Math.max(...answer.frames.map(({ position }) => length(position))));
+        await this.app.make_room(Math.max(...answer.frames.map(({ position }) => length(position))));
       } catch (refusal) {
         by_id('motion').textContent = refusal.message;
         return false;
       }
-      return true;
+      return this.run?.text === text; // none, where the scene changed meanwhile
     }
 
     async start() {
