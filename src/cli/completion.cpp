@@ -128,15 +128,14 @@ int run_completion(const Arguments& arguments) {
 } // namespace
 
 ShellCommand completion_command() {
-  return {
-      {"completion",
-       "bash|zsh|fish|man [-o FILE]",
-       "completion for a shell, or the man page",
-       "`cmake --install` puts all four where the system looks for them; this is for a tool\n"
-       "that was copied. A shell reads it at its start.\n\n"
-       "Example:\n  lcpush completion bash -o ~/.local/share/bash-completion/completions/lcpush\n",
-       {commands::output_option}},
-      run_completion};
+  return {{"completion",
+           "bash|zsh|fish|man [-o FILE]",
+           "completion for a shell, or the man page",
+           "`cmake --install` puts all four where the system looks for them; this is for a tool\n"
+           "that was copied: add `source ~/lcpush.bash`, or wherever the file is, to ~/.bashrc.\n\n"
+           "Example:\n  lcpush completion bash -o lcpush.bash\n",
+           {commands::output_option}},
+          run_completion};
 }
 
 } // namespace lcpush::cli

@@ -74,7 +74,13 @@ footer { color: var(--soft); font-size: 15px; padding-top: 26px; padding-bottom:
   .lead { font-size: 18px; }
   .facts div { grid-template-columns: minmax(0, 1fr); gap: 0; }
   .facts dt { font-size: 15px; }
-  th, td { padding: 5px 8px; }
+  table { font-size: 12.5px; }
+  th, td { padding: 5px 4px; }
+  thead th, .words { white-space: normal; }
+  th:first-child { min-width: 5.5em; position: sticky; left: 0; background: var(--paper); }
+  /* A shade at the right edge where a table goes on. */
+  .scroll { background: linear-gradient(to left, var(--paper) 40%, transparent) right / 28px 100%
+    no-repeat local, linear-gradient(to left, var(--line), transparent) right / 12px 100% no-repeat; }
 }
 @media print {
   nav, summary { display: none; }
