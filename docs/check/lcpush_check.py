@@ -63,7 +63,8 @@ def si(value):  # "120 g" is 3/25
 def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face, along = "y"
     axis, sign = "xyz".index(body["on"][1]), F(body["on"][0] + "1")
     offset = list(body.get("center", (0, 0)))
-    offset.insert(axis, sign * (obj["box"][axis] if "box" in obj else obj["cylinder_length"]) / 2)
+    offset.insert(axis, sign * (obj["box"][axis] if "box" in obj else
+                                obj["cylinder_length"] if "cylinder_length" in obj else 2*obj["sphere_radius"]) / 2)
     if body["shape"] == "line":  # clipped to the face
         j, ends = "xyz".index(body["along"]), [list(offset), list(offset)]
         half, reach = (obj["box"][j] / 2 if "box" in obj else obj["cylinder_radius"]), body.get("length", 0) / F(2)

@@ -26,9 +26,19 @@ Index axis_beside(Index axis, std::size_t i) {
 /// How far the two faces across `axis` are apart.
 Rational extent(const TableReader& object, const TableReader& contact, Index axis) {
   if (object.has("box")) return object.vector3<Rational>("box", Sign::positive)[axis];
+  if (object.has("sphere_radius")) { // where the axis leaves it: its face there is a point
+    const bool has_offset =
+        contact.has("center") && contact.numbers<Rational>("center", {2}, Sign::any) !=
+                                     std::vector<Rational>(2, Rational(0));
+    if (contact.text("shape") != "point" || has_offset)
+      contact.fail("on",
+                   "on a ball on places a \"point\" without an offset; give center and normal "
+                   "instead");
+    return Rational(2) * object.number<Rational>("sphere_radius", Sign::positive);
+  }
   if (!object.has("cylinder_radius"))
-    contact.fail("on", "on needs an [object] with a box or a cylinder; give center and normal "
-                       "instead");
+    contact.fail("on", "on needs an [object] with a box, a cylinder or a ball; give center and "
+                       "normal instead");
   const auto along =
       static_cast<Index>(object.has("axis") ? object.choice("axis", {"x", "y", "z"}) : 2);
   if (along != axis)

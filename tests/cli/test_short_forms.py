@@ -185,7 +185,8 @@ ON_REFUSED = [
     (BOX, 'on = "top"', 9, 'on must be "+x", "-x", "+y", "-y", "+z" or "-z", got "top"'),
     (BOX, 'face = "+z"', 9, 'unknown key "face" (did you mean "on"?)'),
     (BOX, 'on = "+z"\ncenter = 3', 10, "center must be a list of 2 numbers"),
-    ("sphere_radius = 0.1\n", 'on = "+z"', 9, "on needs an [object] with a box or a cylinder"),
+    ("inertia = [1, 1, 1]\n", 'on = "+z"', 9, "on needs an [object] with a box, a cylinder or a ball"),
+    ("sphere_radius = 0.1\n", 'on = "+z"\ncenter = [0, 1e-3]', 9, 'on a ball on places a "point" without an offset'),
     (CYLINDER % "x", 'on = "+z"', 10, 'flat faces are "+x" and "-x"; on its side, give center and normal'),
 ]
 
@@ -207,6 +208,7 @@ class Faces(SceneTest):
             self.equal(BOX, *FACES[2], "pusher", shape + "\nacceleration = [0.1, 0, 0]")
         for axis, short, typed in CYLINDERS:
             self.equal(CYLINDER % axis, short, typed, "finger", SHAPES[0])
+        self.equal('sphere_radius = "20 mm"', 'on = "-z"', "normal = [0, 0, 1]\ncenter = [0, 0, -0.02]", "finger", SHAPES[2])
 
     def test_the_checker_knows_faces(self):
         places = [places[0] for places in FACES]
