@@ -1,12 +1,16 @@
-"""lcpush report: one self-contained page and its pictures; numbers as in solve and break."""
+"""lcpush report: one self-contained page and its pictures; numbers as in solve and break.
+
+    test_report.py TOOL ROOT [--all]      with --all every scene instead of each third"""
 import math
 import re
+import sys
 import xml.etree.ElementTree as ElementTree
 
 from tool import SCENES, SOURCE, ToolTest, main, run, unwrapped
 from tool import json_of as answer
 
 RAYS = SOURCE / "fixtures/rays"
+ALL = "--all" in sys.argv
 SVG = "{http://www.w3.org/2000/svg}"
 NAMESPACE = "http://www.w3.org/2000/svg"
 
@@ -54,7 +58,7 @@ class Report(ToolTest):
         self.assertAlmostEqual(float(shown), exact, delta=max(6e-6 * abs(exact), zero))
 
     def test_every_scene_gives_a_page_of_its_own(self):
-        for scene in sorted(SCENES.glob("*.toml")) + sorted(RAYS.glob("*.toml")):
+        for scene in (sorted(SCENES.glob("*.toml")) + sorted(RAYS.glob("*.toml")))[::1 if ALL else 3]:
             with self.subTest(scene=scene.name):
                 more = ["--pusher", "upper"] if scene.stem == "two_pushers" else []
                 result = run("report", scene, *more)
