@@ -50,11 +50,12 @@ Result run_move(const Values& values, Listener& listener) {
   const SceneFile file = values.scene(Needs::scene, Strokes::all);
   const MotionReport report = move(file, move_options(values, file, listener));
   return {report.status == Status::solved,
-          format == "json"   ? move_json(file, report)
-          : format == "csv"  ? move_csv(file, report)
-          : format == "svg"  ? move_svg(file, report)
-          : format == "html" ? move_html(file, report)
-                             : move_text(file, report, values.telling() == Telling::full),
+          format == "json"        ? move_json(file, report)
+          : format == "csv"       ? move_csv(file, report)
+          : format == "svg"       ? move_svg(file, report)
+          : format == "animation" ? move_animation(file, report)
+          : format == "html"      ? move_html(file, report)
+                                  : move_text(file, report, values.telling() == Telling::full),
           {},
           report.stop};
 }
@@ -197,9 +198,10 @@ Command move_command() {
            verbose_option,
            {"seconds", "S",
             "stop after so much processor time (8), with what there is; so does Ctrl-C"},
-           format_option("text (default), json, csv, svg or html; --json for short")}),
+           format_option("text (default), json, csv, svg, animation (an SVG that moves) or html; "
+                         "--json for short")}),
       run_move,
-      {"text", "json", "csv", "svg", "html"},
+      {"text", "json", "csv", "svg", "animation", "html"},
       1,
       true,
       {"most_steps"}};

@@ -2,6 +2,7 @@
 
 #include "move/move_words.hpp"
 #include "picture/contact_figures.hpp"
+#include "text/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,44 @@ std::string MotionPainter::path() const {
 
 std::string MotionPainter::surroundings() const {
   return axes_elements(view_) + scale_bars(width, height, sight_.meters, newtons_);
+}
+
+namespace {
+
+constexpr std::size_t animated_moments = 41;        // ten a second, as the eye needs
+constexpr double between_moments = 0.1, rest = 1.5; // s; the end stays so long
+
+/// Each moment is seen in its share of the time, the last one to the end. Where nothing moves, for
+/// whatever reason, the last is seen.
+std::string animation_style(std::size_t count) {
+  const double time = between_moments * static_cast<double>(count - 1) + rest;
+  const auto seen = [&](const char* name, double seconds) {
+    return std::string("@keyframes ") + name + " { 0% { visibility: visible; } " +
+           printed("%.3f", 100 * seconds / time) + "%, 100% { visibility: hidden; } }\n";
+  };
+  return "<style>\n.moment { visibility: hidden; animation: moment " + printed("%.1f", time) +
+         "s infinite step-end; }\n.moment.last { visibility: visible; animation-name: last; }\n" +
+         seen("moment", between_moments) + seen("last", rest) +
+         "@media print, (prefers-reduced-motion: reduce) { .moment { animation: none; } }\n"
+         "</style>\n";
+}
+
+} // namespace
+
+std::string move_animation(const SceneFile& file, const MotionReport& report) {
+  const MotionPainter painter(file, report);
+  const std::vector<std::size_t> shown = spread_out(report.frames.size(), animated_moments);
+  const double time = between_moments * static_cast<double>(shown.size() - 1) + rest;
+  std::string moments = animation_style(shown.size());
+  for (std::size_t k = 0; k < shown.size(); ++k) // delays < 0: all have begun
+    moments += std::string("<g class=\"moment") + (k + 1 == shown.size() ? " last" : "") +
+               "\" style=\"animation-delay: " +
+               printed("%.1f", between_moments * static_cast<double>(k) - time) + "s\">\n" +
+               painter.moment(report.frames[shown[k]]) + "</g>\n";
+  return svg_document({"move", file.title.empty() ? "Where the object goes" : file.title,
+                       move_sentence(file, report) + " Seen in " + painter.axes() + ", moving.",
+                       MotionPainter::width, MotionPainter::height,
+                       painter.surroundings() + painter.path() + moments});
 }
 
 std::string move_svg(const SceneFile& file, const MotionReport& report) {

@@ -3,6 +3,7 @@ import csv
 import io
 import json
 import pathlib
+import re
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -179,6 +180,23 @@ class Move(unittest.TestCase):
         motion, status = answer(SCENES / "rolling_hard_grip.toml")
         self.assertEqual((motion["end"], status), ("time", 0))
         self.assertNotRegex(run(SCENES / "rolling_hard_grip.toml").stdout, "[0-9]e-[0-9]+  ")
+
+    def test_the_moving_picture_shows_one_moment_at_a_time(self):
+        text = run(PIVOT, "--time", "0.3", "--format", "animation").stdout
+        moments = [e for e in ElementTree.fromstring(text).iter() if e.get("class", "").startswith("moment")]
+        delays = [float(re.search(r"delay: (-[0-9.]+)s", e.get("style"))[1]) for e in moments]
+        whole = float(re.search(r"animation: moment ([0-9.]+)s infinite step-end", text)[1])
+        shares = {name: float(share) / 100 * whole
+                  for name, share in re.findall(r"@keyframes (\w+) .*?([0-9.]+)%, 100% { visibility: hidden", text)}
+        self.assertEqual(len(moments), 41)
+        self.assertEqual([e.get("class") for e in moments[-2:]], ["moment", "moment last"])
+        self.assertAlmostEqual(delays[0], -whole)  # all have begun, each ends as the next one begins
+        for one, two in zip(delays, delays[1:]):
+            self.assertAlmostEqual(two - one, shares["moment"], 3)
+        self.assertAlmostEqual(delays[-1] + shares["last"], 0, 3)
+        outlines = {next(p for p in e.iter() if p.get("class") == "object").get("points") for e in moments}
+        self.assertGreater(len(outlines), 35)
+        self.assertIn("prefers-reduced-motion: reduce", text)
 
     def test_wrong_usage_says_what_to_type(self):
         for words, message in (

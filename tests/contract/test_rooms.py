@@ -1,6 +1,6 @@
 """Every folder is a room with one question. What it may include stands in ROOMS, and holds.
 
-    python3 tests/contract/test_rooms.py REPO_ROOT
+    python3 tests/contract/test_rooms.py REPO_ROOT [--sizes]      with --sizes the lines of each room, largest first
 
 Prints FILE:LINE: what is wrong and exits 1; exits 0 if all is well, and if faults planted in a copy of
 the sources are found.
@@ -173,10 +173,26 @@ def missed_faults(root):
                 yield f"{name}: a planted {line!r} is not seen"
 
 
+def sizes(root):
+    """Lines of all files, pages and tables included, under each room and in no room of its own."""
+    lines = dict.fromkeys([*ROOMS, GROUND, "src"], 0)
+    for folder in ("include", "src"):
+        for path in (root / folder).rglob("*"):
+            if path.is_file() and "__pycache__" not in path.parts:
+                room = next(str(above) for above in path.relative_to(root).parents if str(above) in lines)
+                lines[room] += path.read_bytes().count(b"\n")
+    yield f"| {sum(lines.values()):,} | all |"
+    for room in sorted(lines, key=lines.get, reverse=True):
+        yield f"| {lines[room]:,} | {room} | {ROOMS.get(room, ['What else is needed?'])[0]} |"
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     root = pathlib.Path(sys.argv[1]).resolve()
+    if "--sizes" in sys.argv:
+        print("\n".join(sizes(root)))
+        return
     count, faults = check(root)
     faults = faults or list(missed_faults(root))
     if count == 0 or faults:

@@ -143,6 +143,8 @@ std::string move_json(const SceneFile& file, const MotionReport& report);
 std::string move_csv(const SceneFile& file, const MotionReport& report);
 /// The object's path with ghosts.
 std::string move_svg(const SceneFile& file, const MotionReport& report);
+/// The same as a picture that moves, over and over; still where the reader wants no motion.
+std::string move_animation(const SceneFile& file, const MotionReport& report);
 /// A page that plays it; nothing from elsewhere.
 std::string move_html(const SceneFile& file, const MotionReport& report);
 
