@@ -68,8 +68,10 @@ async function dragging(browser) {
   assert.equal(await page.locator('#picture .dot').count(), 0, 'dots of a held body alone');
   await settled(page);
   const after = await state(page);
-  const place = (text) => Number(/name = "edge"[^[]*ends = \[\[(-?[\d.]+)/.exec(text)?.[1]
-    ?? /"edge"[\s\S]*?(?:ends|center|points) = \[+\s*(-?[\d.]+)/.exec(text)[1]);
+  const place = (text) => {
+    const [, x, unit] = /"edge"[\s\S]*?center = \[\s*"?(-?[\d.]+)( mm)?/.exec(text);
+    return unit ? x / 1000 : Number(x);
+  };
   assert.ok(place(after.text) > place(before.text) + 0.01, 'the pusher went right');
   assert.notEqual(after.answer, before.answer);
   await agrees(page);
