@@ -25,6 +25,17 @@ foreach(part IN LISTS parts)
 endforeach()
 file(CONFIGURE OUTPUT "${OUTPUT}/lcpush.cpp" @ONLY CONTENT
 [[// lcpush @VERSION@, all of its C interface: compile this file and link the object (README.md).
+#if __cplusplus < 201703L
+#error "lcpush needs C++17: give the compiler -std=c++17"
+#endif
+#if defined(__INT_MAX__) && __INT_MAX__ < 2147483647
+#error "lcpush needs an int of 32 bits: processors of 8 and 16 bits are too small for it"
+#endif
+#if defined(__has_include)
+#if !__has_include(<cmath>)
+#error "this toolchain has no headers of C++: README.md says how it reads those of another"
+#endif
+#endif
 // These may also stand in the compiler's command.
 #ifndef EIGEN_DONT_VECTORIZE
 #define EIGEN_DONT_VECTORIZE // sums in one order everywhere; headers for vector units are not here
@@ -120,3 +131,10 @@ file(COPY "${SOURCES}/LICENSE" DESTINATION "${OUTPUT}")
 file(COPY_FILE "${SOURCES}/docs/embed/main.c" "${OUTPUT}/main.c")
 file(READ "${SOURCES}/docs/embed/bundle.md" page)
 file(CONFIGURE OUTPUT "${OUTPUT}/README.md" @ONLY CONTENT "${page}")
+
+# What PlatformIO, ESP-IDF and Zephyr read of a library.
+set(packages "${SOURCES}/src/cmake/bundle")
+file(GLOB_RECURSE names RELATIVE "${packages}" "${packages}/*")
+foreach(name IN LISTS names)
+  configure_file("${packages}/${name}" "${OUTPUT}/${name}" @ONLY)
+endforeach()

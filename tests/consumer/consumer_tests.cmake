@@ -19,6 +19,12 @@ if(LCPUSH_DPKG_DEB AND Python3_FOUND AND TARGET lcpush_tool AND TARGET lcpush_de
                    ${CMAKE_CPACK_COMMAND} ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
 endif()
 
+if(Python3_FOUND)
+  add_test(NAME consumer.device_archive
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test_device_archive.py
+                   ${CMAKE_COMMAND} ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR})
+endif()
+
 function(add_consumer_test name)
   add_test(
     NAME consumer.${name}
