@@ -13,9 +13,16 @@ using lcpush::test::scene_text;
 
 namespace {
 
+/// With the ends of the wall as numbers.
+const std::string& slide_text() {
+  static const std::string text =
+      lcpush::test::with(scene_text("straight_slide.toml"), "on = \"-x\"\nalong = \"y\"",
+                         "normal = [1, 0, 0]\nends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]");
+  return text;
+}
+
 const VariedScene& varied_slide() {
-  static const VariedScene scene =
-      VariedScene::parse(scene_text("straight_slide.toml"), "slide.toml");
+  static const VariedScene scene = VariedScene::parse(slide_text(), "slide.toml");
   return scene;
 }
 
@@ -63,8 +70,8 @@ TEST_CASE("units are those of the table: an actuator's inertia is a mass, the ob
   const std::string text = lcpush::test::with(scene_text("three_finger_hand.toml"), "force = 12",
                                               "force = 12\ninertia = 0.05");
   CHECK(VariedScene::parse(text, "hand.toml").find("motor.inertia").unit == "kg");
-  const std::string object = lcpush::test::with(
-      scene_text("straight_slide.toml"), "box = [0.1, 0.03, 0.01]", "inertia = [1e-4, 2e-4, 2e-4]");
+  const std::string object =
+      lcpush::test::with(slide_text(), "box = [0.1, 0.03, 0.01]", "inertia = [1e-4, 2e-4, 2e-4]");
   CHECK(VariedScene::parse(object, "slide.toml").find("object.inertia[0]").unit == "kg m^2");
 }
 

@@ -72,7 +72,7 @@ TEST_CASE(
   // friction goes against the push; with even pressure all of it does.
   std::string text =
       in_pyramids(with(scene_text("straight_slide.toml"), "grip_force = 20", "grip_force = 10"));
-  text = with(text, "[-0.05, -0.015, 0], [-0.05, 0.015, 0]", "[-0.05, -0.01, 0], [-0.05, 0.01, 0]");
+  text = with(text, "along = \"y\"", "along = \"y\"\nlength = \"20 mm\"");
   const SpreadReport report = spread_of(text);
   REQUIRE(report.status == Status::solved);
   CHECK(report.failures == 0);
