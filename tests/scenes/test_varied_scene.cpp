@@ -15,9 +15,9 @@ namespace {
 
 /// With the ends of the wall as numbers.
 const std::string& slide_text() {
-  static const std::string text =
-      lcpush::test::with(scene_text("straight_slide.toml"), "on = \"-x\"\nalong = \"y\"",
-                         "normal = [1, 0, 0]\nends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]");
+  static const std::string text = lcpush::test::with(
+      scene_text("straight_slide.toml"), "on = \"-x\"\nalong = \"y\"\npoints = 2",
+      "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]\npoints = 2\nnormal = [1, 0, 0]");
   return text;
 }
 
