@@ -207,8 +207,7 @@ constexpr double between_moments = 0.1, rest = 1.5; // s; the end stays so long
 
 /// Each moment is seen in its share of the time, the last one to the end. Where nothing moves, for
 /// whatever reason, the last is seen.
-std::string animation_style(std::size_t count) {
-  const double time = between_moments * static_cast<double>(count - 1) + rest;
+std::string animation_style(double time) {
   const auto seen = [&](const char* name, double seconds) {
     return std::string("@keyframes ") + name + " { 0% { visibility: visible; } " +
            printed("%.3f", 100 * seconds / time) + "%, 100% { visibility: hidden; } }\n";
@@ -226,7 +225,7 @@ std::string move_animation(const SceneFile& file, const MotionReport& report) {
   const MotionPainter painter(file, report);
   const std::vector<std::size_t> shown = spread_out(report.frames.size(), animated_moments);
   const double time = between_moments * static_cast<double>(shown.size() - 1) + rest;
-  std::string moments = animation_style(shown.size());
+  std::string moments = animation_style(time);
   for (std::size_t k = 0; k < shown.size(); ++k) // delays < 0: all have begun
     moments += std::string("<g class=\"moment") + (k + 1 == shown.size() ? " last" : "") +
                "\" style=\"animation-delay: " +
