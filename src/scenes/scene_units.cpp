@@ -136,6 +136,11 @@ SiNumber in_si(std::string_view text, const std::vector<std::string>& si) {
   return {radians(*degrees).text(), ""};
 }
 
+/// A number, or a fraction such as 1/3, without a unit.
+bool is_bare(std::string_view text) {
+  return !read_finite_number(text).error || Rational::parse(text);
+}
+
 /// Turns the texts of one table's numbers into numbers.
 class UnitReader {
 public:
@@ -231,10 +236,10 @@ double SiNumber::value() const {
 
 SiNumber typed_number(std::string_view word, const std::string& unit) {
   const std::string text(trimmed(word));
-  const NumberText bare = read_finite_number(text);
-  if (!bare.error) return {text, ""};
+  if (is_bare(text)) return {text, ""};
   SiNumber number = in_si(text, {unit});
-  if (number.refusal.empty() && number.digits.empty()) number.refusal = *bare.error;
+  if (number.refusal.empty() && number.digits.empty())
+    number.refusal = *read_finite_number(text).error;
   return number;
 }
 
@@ -242,8 +247,7 @@ std::pair<SiNumber, SiNumber> typed_ends(std::string_view from, std::string_view
                                          const std::string& unit) {
   const std::string_view end = trimmed(to);
   std::string begin(trimmed(from));
-  if (!read_finite_number(begin).error && read_finite_number(end).error)
-    begin += end.substr(decimal_prefix(end).length);
+  if (is_bare(begin) && !is_bare(end)) begin += end.substr(decimal_prefix(end).length);
   return {typed_number(begin, unit), typed_number(end, unit)};
 }
 

@@ -21,7 +21,7 @@ struct SiNumber {
   std::string digits, refusal;
   double value() const; ///< pre: not refused
 };
-/// What is typed outside of a file: "20 mm", or a bare number, in `unit`.
+/// What is typed outside of a file: "20 mm", or a bare number or fraction, in `unit`.
 SiNumber typed_number(std::string_view word, const std::string& unit);
 /// Two of them: of "-9:29 mm" both are lengths in mm.
 std::pair<SiNumber, SiNumber> typed_ends(std::string_view from, std::string_view to,

@@ -202,6 +202,8 @@ class Tolerance(ToolTest):
             refused = run("cone", scene, "--tolerance", given)
             self.assertEqual(refused.returncode, 2, given)
             self.assertIn(said, unwrapped(refused.stderr))
+        for given, box in (("1/3:1/2", [1 / 3, 1 / 2]), ("0:4/3", [0, 4 / 3])):  # fractions are numbers
+            self.assertEqual(json_of("cone", scene, "--tolerance", f"wall.friction={given}")["box"]["wall.friction"], box)
         self.assertIn("no corner of the box", run("cone", scene, "--tolerance", "*.friction=1%", "--format", "toml").stderr)
         self.assertIn("would take it", run("break", scene, "--tolerance", "*.friction=1%").stderr)
 
