@@ -15,6 +15,9 @@ namespace {
 const Option history_option{"history", "",
                             "instead of the answer, each law's residual sweep by sweep (also csv)"};
 
+const Option sensitivity_option{
+    "sensitivity", "", "with --format json: derivatives by each acceleration and grip force"};
+
 /// Under --pressure and --facets. Certificates prove pyramids, whose directions are fractions: the
 /// answer is theirs as well.
 SceneFile scene_to_solve(const Values& values, Listener& listener) {
@@ -54,10 +57,14 @@ std::string with_box(std::string text, const std::string& format, const SceneFil
 Result run_solve(const Values& values, Listener& listener) {
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
+  if (values.has("sensitivity") && (format != "json" || values.has("history")))
+    values.refuse("sensitivity", values.label("sensitivity") + " is a key of the answer in " +
+                                     values.label("format") + " json, without --history");
   SceneFile file = scene_to_solve(values, listener);
   const std::optional<BoxAnswer> box = judged_box(values, file);
   const auto asked = std::make_shared<AskedPush>(std::move(file), solver, listener);
   asked->options.record_history = values.has("history");
+  asked->options.study_commands = values.has("sensitivity");
   const HoldReport hold = asked->push.holds_without_push(asked->options);
   const auto report = std::make_shared<PushReport>(asked->push.solve(asked->options));
   std::string text = values.has("history")
@@ -124,6 +131,7 @@ Command solve_command() {
                           tolerance_option,
                           {"box", "", "the same of the ranges that stand in the scene"},
                           history_option,
+                          sensitivity_option,
                           certify_option}),
       run_solve};
 }

@@ -306,6 +306,7 @@ PushReport Push::solve(const PushOptions& options) & {
   const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
   const std::vector<LinearizedCone<double>> cones(work_.round_cones.begin(),
                                                   work_.round_cones.end());
+  if (options.study_commands) report.sensitivity = find_sensitivity(file_, assembly_, work_);
   search_others(options, report);
   std::copy(cones.begin(), cones.end(), work_.round_cones.begin());
   assembly_.assemble(scene_);
@@ -328,6 +329,7 @@ PushReport Push::solve(const PushOptions& options) & {
     report.reason = untold(report);
     report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
     report.final_basis = {};
+    report.sensitivity.clear();
     report.other.reset();
   }
   const double load = lost_load(file_, report.scales, report.residuals.max());

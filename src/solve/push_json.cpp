@@ -78,6 +78,21 @@ void write_bodies(JsonWriter& json, const SceneFile& file, const PushReport& rep
   });
 }
 
+void write_sensitivity(JsonWriter& json, const SceneFile& file,
+                       const std::vector<Sensitivity>& sensitivity) {
+  json.objects("sensitivity", sensitivity, [&](const Sensitivity& by) {
+    const bool known = by.reason.empty();
+    json.member("number", by.number).member("value", by.value);
+    json.member("reason", unless_empty(by.reason));
+    json.member("range", when(known && !by.is_curved, std::vector{by.from, by.to}));
+    json.member("acceleration", when(known, by.acceleration));
+    json.objects("pushers", by.pushers, [&](const Sensitivity::OfPusher& pusher) {
+      json.member("name", file.body_name(pusher.body)).member("force", pusher.force);
+      json.member("normal_force", pusher.normal_force);
+    });
+  });
+}
+
 void write_jam(JsonWriter& json, const SceneFile& file, const Jam& jam) {
   json.key("jam").begin_object();
   json.list("words", jam_sentences(file, jam), [&](const auto& sentence) { json.value(sentence); });
@@ -159,6 +174,7 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   json.member("acceleration", report.answer.acceleration).end_object();
   write_contacts(json, file, report);
   write_bodies(json, file, report);
+  if (!report.sensitivity.empty()) write_sensitivity(json, file, report.sensitivity);
   return json.end_object().text();
 }
 

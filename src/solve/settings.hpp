@@ -47,6 +47,10 @@ struct SolveSettings {
   /// Two answers are one where motions and forces differ by no more than this, relative: pads
   /// settle to 1.5e-11, and the worst conditioned of 10,000 random grasps lose five digits.
   double same = 1e-5;
+  /// A derivative follows pads and turning friction in so many passes at most, until one changes it
+  /// by no more than this part: each leaves a pad's last compliance of it, mostly 1e-4.
+  Index most_passes = 60;
+  double settled_passes = 1e-12;
   /// Of the unit that its closing is measured in: a finger that is slower does not move.
   double hand_moves = 1e-3;
 };

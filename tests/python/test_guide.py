@@ -53,6 +53,8 @@ class Guide(unittest.TestCase):
         names.update(M=push.M, q=push.q, z=[0] * len(push.q), a=push.acceleration,
                      contacts=[contact.to_dict() for contact in push.contacts])
         exec(blocks[1], names)
+        self.assertAlmostEqual(names["by"]["*.grip_force"].pushers[0].normal_force, 1)
+        exec(blocks[2], names)
         self.assertFalse(names["verdict"])
         for question in re.findall(r"^\| `(\w+)\(", page, flags=re.M):
             self.assertTrue(callable(getattr(lcpush.Scene, question)), question)

@@ -30,6 +30,7 @@ struct PushOptions {
   bool explain_jams = true;     ///< solve again with each change that might free a jam
   bool dense = false;           ///< pivots on the whole dictionary, whatever the size
   bool study_existence = true;  ///< ask the existence lemma's conditions: two linear programs
+  bool study_commands = false;  ///< PushReport::sensitivity
   Watcher* watcher = nullptr;   ///< told of all pivots and sweeps of the answer
   Watcher* searching = nullptr; ///< told of those of the search for other answers
 };

@@ -3,6 +3,7 @@
 
 #include "lcpush/desktop/final_basis.hpp"
 #include "lcpush/desktop/jam.hpp"
+#include "lcpush/desktop/sensitivity.hpp"
 #include "lcpush/desktop/solver.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "lcpush/mechanics/study/existence.hpp"
@@ -76,6 +77,7 @@ struct PushReport : RunReport {
   FinalBasis final_basis;               ///< other answers next to this one
   std::string undetermined; ///< a point or body with friction and no known normal force, or empty
   ExistenceFound existence; ///< does a theorem promise an answer?
+  std::vector<Sensitivity> sensitivity; ///< if it was asked for
 };
 
 /// Does the grasp hold the object's weight with the pushers absent?

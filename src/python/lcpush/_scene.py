@@ -100,7 +100,7 @@ class Scene:
 
     def solve(self, *, solver: Optional[str] = None, check: bool = True,
               tolerance: Union[str, Sequence[str]] = (), box: bool = False,
-              progress: Optional[Progress] = None) -> Solution:
+              sensitivity: bool = False, progress: Optional[Progress] = None) -> Solution:
         """What the scene's push does: forces, motion in the grip, contact modes.
 
         Args:
@@ -108,11 +108,13 @@ class Scene:
             check: raise NotSolved if there is no answer; else look at its `status`
             tolerance: as of `cone`: is it certain that the pusher sticks? `verdict`, `margin`, `corner`
             box: the same of the scene's own ranges
+            sensitivity: also derivatives by each pusher's acceleration and each grip force
             progress: is called with the share that is done, as far as that is known, and with 1 at
                 the end, as in all questions; what it raises ends the work
         """
         return self._answer(Solution, "solve", {"solver": solver, "tolerance": tolerance or None,
-                                                "box": box or None},
+                                                "box": box or None,
+                                                "sensitivity": sensitivity or None},
                             check and not (tolerance or box), progress)
 
     def break_(self, *, pusher: Optional[str] = None, solver: Optional[str] = None,
