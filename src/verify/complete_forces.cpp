@@ -9,6 +9,9 @@
 #include <algorithm>
 
 namespace lcpush::desktop {
+namespace {
+using Settings = VerifySettings;
+}
 
 /// What a unit of the force is in every row, scaled: Newton's law, the grip, the sums that are
 /// given of its body, its point's cone, and what is given of a soft point's friction.
@@ -150,10 +153,13 @@ Eigen::VectorXd AnswerCompleter::fitting(const Eigen::MatrixXd& A, const Eigen::
   return best;
 }
 
-/// Forces that were not given: those that leave the laws least to complain about. Round cones get
-/// generators where the friction is to go, until it goes there.
+/// Forces that were not given: of those that obey the laws best the nearest to the sums that were.
+/// Round cones get generators where the friction is to go, until it goes there.
 void AnswerCompleter::find_forces() {
   const Eigen::VectorXd b = targets();
+  Eigen::VectorXd weights = Eigen::VectorXd::Constant(b.size(), Settings::laws_first);
+  weights.segment(6 + layout_.actuators, 7 * scene_.bodies.size).setOnes();
+  weights.tail(3 * layout_.points).setOnes();
   std::vector<PointForce> forces = possible_forces();
   std::vector<Index> sticking; // sliding leaves nothing of the cone
   for (Index i = 0; i < layout_.points; ++i)
@@ -166,13 +172,14 @@ void AnswerCompleter::find_forces() {
     for (Index k = 0; k < count; ++k) A.col(k) = column(forces[static_cast<std::size_t>(k)]);
     for (std::size_t k = 0; k < sticking.size(); ++k)
       A(force_rows() + sticking[k], count + static_cast<Index>(k)) = -1;
-    x = fitting(A, b, forces);
+    x = fitting(weights.asDiagonal() * A, weights.cwiseProduct(b), forces);
     const Eigen::VectorXd off = A * x - b;
-    if (!file_.is_round || round == VerifySettings::cone_rounds ||
-        off.cwiseAbs().maxCoeff() <= VerifySettings::fits * tolerance_)
+    if (!file_.is_round || round == Settings::cone_rounds ||
+        off.cwiseAbs().maxCoeff() <= Settings::fits * tolerance_)
       break;
     for (const Index i : sticking)
-      if (const auto more = steepest(i, off)) forces.push_back(*more);
+      if (const auto more = steepest(i, weights.cwiseAbs2().cwiseProduct(off)))
+        forces.push_back(*more);
   }
   completion_.has_forces = true;
   completion_.completed.emplace_back("forces that were not given, from the motion");

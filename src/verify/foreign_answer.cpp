@@ -10,32 +10,37 @@
 namespace lcpush::desktop {
 namespace {
 
+/// "no body is called "wall"; there are left, right and edge"
+std::string stranger(const std::string& name, const std::string& kind,
+                     const std::vector<std::string>& known) {
+  std::vector<std::string> told = known;
+  if (told.size() > VerifySettings::told_names) {
+    told.resize(VerifySettings::told_names - 1);
+    told.push_back(std::to_string(known.size() - told.size()) + " more");
+  }
+  return "no " + kind + " is called " + quoted(name) + "; there " +
+         (known.size() == 1 ? "is " : "are ") + listed(told, "and");
+}
+
 /// Where each entry of the file belongs: by name if all are named as the scene names them, and then
 /// some may be left out; else by order. `fault` receives why it fits neither way.
 std::vector<std::size_t> places(const std::vector<std::string>& given,
-                                const std::vector<std::string>& known, const char* what,
+                                const std::vector<std::string>& known, const std::string& kind,
                                 std::string& fault) {
   std::vector<std::size_t> by_name, by_order;
   for (const std::string& name : given) {
     const auto at =
         static_cast<std::size_t>(std::find(known.begin(), known.end(), name) - known.begin());
-    const bool is_other =
-        given.size() == known.size() && !name.empty() && name != known[by_order.size()];
-    if (is_other && fault.empty())
-      fault = "number " + std::to_string(by_order.size() + 1) + " of its " + what + " is called " +
-              quoted(name) + ", the scene's " + quoted(known[by_order.size()]);
+    const bool is_twice = std::count(by_name.begin(), by_name.end(), at) > 0;
+    if (fault.empty() && !name.empty() && (at == known.size() || is_twice))
+      fault = is_twice ? kind + " " + quoted(name) + " stands twice" : stranger(name, kind, known);
     by_order.push_back(by_order.size());
-    if (at < known.size() && std::count(by_name.begin(), by_name.end(), at) == 0)
-      by_name.push_back(at);
+    if (at < known.size() && !is_twice) by_name.push_back(at);
   }
-  if (by_name.size() == given.size()) {
-    fault.clear();
-    return by_name;
-  }
+  if (by_name.size() == given.size() || !fault.empty()) return by_name;
   if (given.size() != known.size())
-    fault = "its number of " + std::string(what) + " is " + std::to_string(given.size()) +
-            ", the scene's " + std::to_string(known.size()) +
-            ", and not all have the scene's names";
+    fault = "not every " + kind + " has a name, and there are " + std::to_string(given.size()) +
+            " instead of " + std::to_string(known.size());
   return by_order;
 }
 
@@ -62,7 +67,7 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
   }
   for (std::size_t i = 0; i < file.points.size(); ++i)
     known.push_back(point_name(file, static_cast<Index>(i)));
-  const std::vector<std::size_t> place = places(given, known, "contacts", answer.not_this_scene);
+  const std::vector<std::size_t> place = places(given, known, "contact", answer.not_this_scene);
   if (!answer.not_this_scene.empty()) return;
   answer.contacts.resize(known.size());
   for (std::size_t k = 0; k < read.size(); ++k) answer.contacts[place[k]] = read[k];
@@ -88,7 +93,7 @@ void read_bodies(const JsonFields& fields, const JsonArray& array, const SceneFi
   std::vector<std::string> given;
   for (const JsonValue& value : array) given.push_back(fields.text(value, "name"));
   const std::vector<std::size_t> place =
-      places(given, file.body_names, "bodies", answer.not_this_scene);
+      places(given, file.body_names, "body", answer.not_this_scene);
   if (!answer.not_this_scene.empty()) return;
   answer.bodies.resize(file.bodies.size());
   for (std::size_t k = 0; k < array.size(); ++k) {

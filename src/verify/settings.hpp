@@ -19,6 +19,11 @@ struct VerifySettings {
   static constexpr int cone_rounds = 30; ///< of fits, each with a generator more a point: 15 were
                                          ///< the most that the shipped scenes took
   static constexpr double fits = 1e-3;   ///< of the tolerance: so well forces are fitted
+  static constexpr double laws_first = 1e4; ///< weight of laws beside given sums: what these are
+                                            ///< off by leaves 1e-8 of it in the laws
+  static constexpr double own_first = 10; ///< the error beside lcpush's own motion is told unless
+                                          ///< the forces' own motion has so many times less
+  static constexpr double turned = 1e-2; ///< of the error, at most, is left by a change of signs
   static constexpr double same_place = 1e-6;    ///< of the scene's size: places in six digits
   static constexpr double same_answer = 1e-6;   ///< least tolerance of "the same answer": two
                                                 ///< solvers' answers in double agree to 1e-8
@@ -60,7 +65,9 @@ struct VerifySettings {
   static constexpr int closings = 20;     ///< tries: another point may touch first
   // Words.
   static constexpr double in_metres = 1e-2, in_millimetres = 1e-5; ///< m/s: from there on
-  static constexpr double untold = 1e-9; ///< scaled or SI: less only says how rounding went
+  static constexpr double untold = 1e-9;       ///< scaled or SI: less only says how rounding went
+  static constexpr double percent = 100;       ///< of a whole
+  static constexpr std::size_t told_names = 8; ///< of a scene's, in a sentence
   static constexpr double solves = 1e-8; ///< scaled: what is left of a basis that is a solution's
 };
 

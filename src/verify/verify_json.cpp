@@ -29,9 +29,12 @@ std::string verify_json(const VerifyReport& report, const std::vector<SceneDoubt
   for (const BrokenRow& row : report.rows) {
     json.key(law_text(row)).begin_object().member("scaled", row.scaled).member("si", row.si);
     json.member("unit", row.unit).member("holds", row.scaled <= report.tolerance);
-    json.member("row", row.name).end_object();
+    json.member("row", row.name);
+    if (!row.law) json.member("found", row.found).member("lawful", row.lawful);
+    json.end_object();
   }
   json.end_object().member("completed", report.completed);
+  json.member("imbalance", report.imbalance).member("hint", unless_empty(report.hint));
   write_metrics(json, report.metrics);
   json.member("objective", report.objective);
   json.key("basis").begin_object().member("refined", report.refined.found);

@@ -1,4 +1,6 @@
 #include "verify/verify_rows.hpp"
+#include "text/format.hpp"
+#include "verify/settings.hpp"
 
 #include <cmath>
 
@@ -28,15 +30,13 @@ public:
   }
 
   std::string unit(const Violation<double>& row) const {
-    const Scales<double>& scales = push_.layout().scales;
     const bool turns = row.law == Law::newton && row.of >= 3;
     if (row.law == Law::newton && scene_.planar && row.of >= 2 && row.of <= 4)
       return turns ? "rad/s^2" : "m/s^2";
     if (turns || (row.law == Law::cone && row.part == 3)) return "N m";
     if (row.law == Law::newton || row.law == Law::grip) return "N";
     if (row.law == Law::rigidity) return "m/s^2";
-    if (scales.force != scales.acceleration) return row.unit == scales.force ? "N" : "m/s^2";
-    return row.law == Law::cone && row.part >= 0 ? "N" : "N or m/s^2";
+    return row.moves ? "m/s^2" : "N";
   }
 
 private:
@@ -66,7 +66,7 @@ private:
              (row.scaled < 0 ? " is none" : " is not opposite to its slip");
     const Generator<double> d = generator(scene_, body_of(row.of), row.of, row.part);
     return "friction of " + point + generator_text(d, body_of(row.of).torsion_radius) +
-           (row.scaled < 0 ? " is negative or too slow a slip" : " does not oppose the slip");
+           (row.scaled < 0 ? " is negative" : " does not oppose the slip");
   }
   std::string cone(const Violation<double>& row, const std::string& point) const {
     if (row.part >= 0) return "friction of " + point + " is no force of its contact plane";
@@ -86,28 +86,32 @@ bool is_worse(double violation, double than) {
   return !(std::abs(violation) <= than) && than == than;
 }
 
-/// Numbers of the file that follow from others.
-class GivenSums {
+/// Numbers of the file that follow from others, and those that the answer judged has otherwise.
+class GivenNumbers {
 public:
-  GivenSums(const Push& push, const ForeignAnswer& given, const Answer<double>& answer,
-            bool is_completed)
-      : is_not_(is_completed ? " is not what forces by the laws make" : " is not its points' sum"),
-        file_(push.file()), scene_(push.file().view()), scales_(push.layout().scales),
-        given_(given), answer_(answer) {}
+  GivenNumbers(const Push& push, const ForeignAnswer& given, const Answer<double>& answer,
+               bool is_completed)
+      : sums_(is_completed ? "the laws leave" : "its points make"), file_(push.file()),
+        scene_(push.file().view()), scales_(push.layout().scales), given_(given), answer_(answer) {}
 
   BrokenRow worst() {
-    worst_ = {std::nullopt, "sums and spins that the file states", 0, 0, "N"};
+    worst_ = {std::nullopt, "numbers that the file states", 0, 0, "N", {}, {}};
     for (std::size_t b = 0; b < given_.bodies.size(); ++b) look_at(b);
     for (std::size_t i = 0; i < given_.contacts.size(); ++i)
       if (const auto& spin = given_.contacts[i].spin)
-        note(*spin - answer_.contacts[static_cast<Index>(i)].spin,
-             scales_.acceleration / scales_.length, "rad/s^2",
-             "spin of " + point_name(file_, static_cast<Index>(i)) + " is not the motion's");
+        note(*spin, answer_.contacts[static_cast<Index>(i)].spin, per_length(scales_.acceleration),
+             "rad/s^2", "the spin of " + point_name(file_, static_cast<Index>(i)), motion_);
+    for (Index k = 0; given_.acceleration && k < 6; ++k)
+      note((*given_.acceleration)[k], answer_.acceleration[k],
+           k < 3 ? scales_.acceleration : per_length(scales_.acceleration),
+           k < 3 ? "m/s^2" : "rad/s^2", "the object's acceleration" + axis_words(k),
+           "lcpush's own answer has");
     return worst_;
   }
 
 private:
-  const char* is_not_;
+  static constexpr const char* motion_ = "the motion makes";
+  const char* sums_;
   const SceneFile& file_;
   Scene<double> scene_;
   const Scales<double>& scales_;
@@ -115,34 +119,55 @@ private:
   const Answer<double>& answer_;
   BrokenRow worst_;
 
-  void note(double difference, double unit, const char* unit_name, const std::string& name) {
-    if (is_worse(difference / unit, worst_.scaled))
-      worst_ = {std::nullopt, name, std::abs(difference / unit), std::abs(difference), unit_name};
+  double per_length(double x) const { return x / scales_.length; }
+  static std::string axis_words(Index k) {
+    return (k < 3 ? " along " : " about ") + std::string(1, "xyz"[k % 3]);
+  }
+
+  /// "the force of wall along x is 4.7 N, where the laws leave 4.64 N"
+  void note(double found, double lawful, double unit, const char* unit_name,
+            const std::string& what, const char* source) {
+    const double off = found - lawful;
+    if (!is_worse(off / unit, worst_.scaled)) return;
+    const double zero = VerifySettings::untold * unit;
+    const bool is_alike = brief(found, zero) == brief(lawful, zero);
+    const auto told = [&](double x) {
+      return (is_alike ? number(x, zero) : brief(x, zero)) + " " + unit_name;
+    };
+    worst_ = {std::nullopt,
+              what + " is " + told(found) + ", where " + source + " " + told(lawful),
+              std::abs(off / unit),
+              std::abs(off),
+              unit_name,
+              found,
+              lawful};
   }
 
   void look_at(std::size_t b) {
     const ForeignBody& given = given_.bodies[b];
     const Body<double>& body = scene_.bodies[static_cast<Index>(b)];
-    const std::string of = " of body " + file_.body_names[b];
+    const std::string of = " of " + file_.body_names[b];
     const Vector6<double> wrench = body_wrench(scene_, answer_, body);
     for (Index k = 0; k < 3; ++k) {
       if (given.force)
-        note((*given.force)[k] - wrench[k], scales_.force, "N", "force" + of + is_not_);
+        note((*given.force)[k], wrench[k], scales_.force, "N", "the force" + of + axis_words(k),
+             sums_);
       if (given.moment)
-        note((*given.moment)[k] - wrench[3 + k], scales_.force * scales_.length, "N m",
-             "moment" + of + is_not_);
+        note((*given.moment)[k], wrench[3 + k], scales_.force * scales_.length, "N m",
+             "the moment" + of + axis_words(3 + k), sums_);
     }
     if (given.normal_force)
-      note(*given.normal_force - normal_sum(answer_, body), scales_.force, "N",
-           "normal_force" + of + is_not_);
-    const std::string closes = "closing_acceleration" + of + " is not the motion's";
+      note(*given.normal_force, normal_sum(answer_, body), scales_.force, "N",
+           "the normal force" + of, sums_);
+    const std::string closes = "the closing acceleration" + of;
     if (given.closing.size() == 1)
-      note(given.closing[0] - mean_closing(answer_, body), scales_.acceleration, "m/s^2", closes);
+      note(given.closing[0], mean_closing(answer_, body), scales_.acceleration, "m/s^2", closes,
+           motion_);
     for (std::size_t k = 0; given.closing.size() > 1 && k < given.closing.size(); ++k)
       if (static_cast<Index>(given.closing.size()) == body.point_count)
-        note(given.closing[k] -
-                 answer_.contacts[body.first_point + static_cast<Index>(k)].closing_acceleration,
-             scales_.acceleration, "m/s^2", closes);
+        note(given.closing[k],
+             answer_.contacts[body.first_point + static_cast<Index>(k)].closing_acceleration,
+             scales_.acceleration, "m/s^2", closes, motion_);
   }
 };
 
@@ -170,14 +195,18 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
     any[law] = true;
   });
   const RowNames name(push, answer);
-  std::vector<BrokenRow> rows;
+  std::vector<BrokenRow> rows{GivenNumbers(push, given, answer, is_completed).worst()};
   for (std::size_t law = 0; law < worst.size(); ++law) {
     const Violation<double>& row = worst[law];
     if (!any[law]) continue;
-    rows.push_back({row.law, name(row), std::abs(row.scaled), std::abs(row.scaled * row.unit),
-                    name.unit(row)});
+    rows.push_back({row.law,
+                    name(row),
+                    std::abs(row.scaled),
+                    std::abs(row.scaled * row.unit),
+                    name.unit(row),
+                    {},
+                    {}});
   }
-  rows.push_back(GivenSums(push, given, answer, is_completed).worst());
   return rows;
 }
 

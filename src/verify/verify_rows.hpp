@@ -6,8 +6,8 @@
 
 namespace lcpush::desktop {
 
-/// One row a law, in Law's order, and one for the numbers of the file that the rest contradicts:
-/// its bodies' sums and its points' spins.
+/// One row for the numbers of the file that the rest contradicts (bodies' sums, spins, and the
+/// object's acceleration if the answer has another), and one a law, in Law's order.
 std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
                                    const Answer<double>& answer, bool is_completed);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/verify.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
@@ -19,8 +20,8 @@ std::string by(double x, const std::string& unit) {
          (unit.empty() ? "" : " " + unit);
 }
 
-std::string headline(const JudgedAnswer& report) {
-  const std::string& because = report.because;
+/// `because`: the report's, in words of its own.
+std::string headline(const JudgedAnswer& report, const std::string& because) {
   std::string text = verdict_text(report.verdict);
   text[0] = static_cast<char>(text[0] - 'a' + 'A');
   if (report.verdict == Verdict::spurious_minimum)
@@ -28,9 +29,47 @@ std::string headline(const JudgedAnswer& report) {
            ".\nEvery linear constraint holds, but not every product vanishes, and no small step "
            "lowers their sum: an optimiser stops here (" +
            because + ").\n";
-  if (because.empty()) return text + ".\n";
-  return text + (report.verdict == Verdict::other_data ? ", because " : ", because of ") + because +
-         ".\n";
+  return text + (because.empty() ? "" : ", because " + because) + ".\n";
+}
+
+std::string headline(const RawVerifyReport& report) {
+  return headline(report, report.verdict == Verdict::not_a_solution ? "of " + report.because
+                                                                    : report.because);
+}
+
+/// ": 0.059 N (1.3 %) too much"
+std::string excess(const BrokenRow& row) {
+  if (!row.found || !row.lawful) return "";
+  const double share = VerifySettings::percent * std::abs((*row.found - *row.lawful) / *row.lawful);
+  const bool is_share = *row.found * *row.lawful > 0;
+  return ": " + short_number(row.si) + " " + row.unit +
+         (is_share ? " (" + brief(share) + " %)" : "") +
+         (!is_share                                      ? " off"
+          : std::abs(*row.found) > std::abs(*row.lawful) ? " too much"
+                                                         : " too little");
+}
+
+std::string headline(const VerifyReport& report) {
+  if (report.verdict != Verdict::not_a_solution) return headline(report, report.because);
+  const BrokenRow& told = report.rows[report.told];
+  return headline(report, told.law ? "of " + report.because : told.name + excess(told));
+}
+
+/// "For an object that moves at 0.01 m/s^2 along +x, its forces and its load leave 0.059 N along
+/// +x."
+std::string imbalance_sentence(const VerifyReport& report) {
+  if (!report.imbalance || is_rounding(report.imbalance->norm())) return "";
+  const auto told = [](const Vector3<double>& v, const std::string& unit) {
+    return short_number(v.norm()) + " " + unit + " along " + direction_text(v.normalized());
+  };
+  const bool moves = !is_rounding(report.acceleration.norm());
+  return "For an object that " +
+         (moves ? "moves at " + told(report.acceleration, "m/s^2") : "does not accelerate") +
+         ", the bodies' forces and its load leave " + told(*report.imbalance, "N") + ".\n";
+}
+
+std::string hint_line(const VerifyReport& report) {
+  return report.hint.empty() ? "" : report.hint + "\n";
 }
 
 /// How well the laws hold, beside what is allowed.
@@ -112,7 +151,8 @@ std::string worst_size(const VerifyReport& report) {
 
 std::string brief_verdict(const VerifyReport& report) {
   const bool valid = is_valid(report.verdict);
-  std::string text = headline(report) + fit_sentence(report, valid ? "" : worst_size(report));
+  std::string text = headline(report) + hint_line(report) + imbalance_sentence(report) +
+                     fit_sentence(report, valid ? "" : worst_size(report));
   for (const std::string& what : report.completed) text += "Filled in: " + what + ".\n";
   if (valid) return text + own_sentence(report);
   // Of a single law the first sentence has said it.
@@ -146,7 +186,8 @@ std::string verify_text(const SceneFile& file, const VerifyReport& report, Telli
   facts.push_back(metrics_fact(report.metrics));
   facts.push_back({"Paper's objective", short_number(report.objective) + " N m/s^2"});
   const std::string broken = broken_lines(report);
-  return text + headline(report) + "\n" + facts_text(facts) + "\n" + law_table(report) +
+  return text + headline(report) + hint_line(report) + imbalance_sentence(report) + "\n" +
+         facts_text(facts) + "\n" + law_table(report) +
          (broken.empty() ? "" : "\nThe worst rows of the broken laws:\n" + broken);
 }
 

@@ -36,6 +36,7 @@ struct BrokenRow {
   double scaled = 0;      ///< >= 0
   double si = 0;          ///< the same in `unit`
   std::string unit;
+  std::optional<double> found, lawful; ///< SI, of a given number: the nearest that the rest allows
 };
 
 /// "newton", "normal", .. or "given".
@@ -76,7 +77,12 @@ struct JudgedAnswer {
 };
 
 struct VerifyReport : JudgedAnswer {
-  std::vector<BrokenRow> rows; ///< the worst of each law, then of "given"
+  std::vector<BrokenRow> rows; ///< the worst of "given", then of each law
+  std::size_t told = 0;        ///< the row that `because` tells
+  Vector3<double> acceleration = Vector3<double>::Zero(); ///< m/s^2, with which it was judged
+  /// N, where every body's force is given: what they and the load leave beside it.
+  std::optional<Vector3<double>> imbalance;
+  std::string hint; ///< a change of signs with which the laws hold; empty: none
   std::vector<std::string> completed;
   double objective = 0;       ///< N m/s^2, what the paper's program minimises
   FinalBasis basis;           ///< other answers next to this one

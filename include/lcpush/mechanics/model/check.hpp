@@ -39,6 +39,7 @@ template <class S> struct Violation {
   S scaled{0}; ///< signed
   S unit{1};   ///< SI value = scaled times this: N, N m, m/s^2 or the actuator's
   S common{1}; ///< what the scene's largest force makes of the same unit: unit <= common
+  bool moves = false; ///< of a force and an acceleration that exclude each other, the latter
 };
 
 /// The largest scaled violation of each law. A row is measured by the sum of its own |terms|, plus
@@ -109,7 +110,7 @@ template <class S, class Visit> struct LawRows {
     motion /= motion_unit;
     const bool is_force = !(motion < force) && motion == motion;
     if (is_force) return {law, of, part, force, force_unit, scales.force};
-    return {law, of, part, motion, motion_unit, motion_scale};
+    return {law, of, part, motion, motion_unit, motion_scale, true};
   }
 
   /// The body whose points come next.
@@ -197,7 +198,7 @@ template <class S, class Visit> struct LawRows {
     Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening, size);
     if (body.bilateral) {
       const S own = row_unit_of(size, unit);
-      normal = {Law::normal, i, -1, opening / own, own, unit};
+      normal = {Law::normal, i, -1, opening / own, own, unit, true};
     }
     visit(normal);
     if (body.role == Role::pusher &&
