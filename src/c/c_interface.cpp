@@ -198,6 +198,16 @@ template <class S> S closing_of(const CPush<S>& push, Index actuator) {
   return shares > 0 ? S(sum / S(shares)) : S(0);
 }
 
+/// `ask(hand)` of the fingers at rest.
+template <class Push, class CHeld, class Ask>
+lcpush_status hold(Push& push, CHeld& out, const Ask& ask) {
+  const Held<typename Push::Scalar> held = push.hold(ask);
+  out.value = held.value;
+  write(held.twist, out.twist);
+  out.exchanges = static_cast<int>(held.exchanges);
+  return as_c(held.status);
+}
+
 } // namespace
 } // namespace lcpush::c
 
@@ -214,6 +224,7 @@ const char* lcpush_mode_text(lcpush_mode mode) {
 #define LCPUSH_REAL double
 #define LCPUSH_NAME(name) lcpush_##name
 #include "c_functions.hpp"
+#include "c_hold_functions.hpp"
 #include "c_motion_functions.hpp"
 #undef LCPUSH_REAL
 #undef LCPUSH_NAME
@@ -221,6 +232,7 @@ const char* lcpush_mode_text(lcpush_mode mode) {
 #define LCPUSH_REAL float
 #define LCPUSH_NAME(name) lcpushf_##name
 #include "c_functions.hpp"
+#include "c_hold_functions.hpp"
 #include "c_motion_functions.hpp"
 
 namespace lcpush::c {

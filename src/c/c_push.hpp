@@ -11,6 +11,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/validate.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
+#include "lcpush/mechanics/study/holding.hpp"
 
 namespace lcpush::c {
 
@@ -214,6 +215,20 @@ public:
     run_.pivots = step.pivots;
     run_.rounds = step.rounds;
     return status_;
+  }
+
+  /// `ask(hand)` of the fingers at rest, in the solver's memory.
+  template <class Ask> Held<S> hold(const Ask& ask) {
+    if (!described_) return {refuse(Mistake::not_described)};
+    if (is_under_way()) status_ = Status::running;
+    forget_solve();
+    const Span<S>& scratch = method_->takes_motions ? work_.lemke_scalars : work_.sweep_scalars;
+    Holding<S> hand(assembly_, {reinterpret_cast<unsigned char*>(scratch.data),
+                                scratch.size * static_cast<Index>(sizeof(S))});
+    const Held<S> held = ask(hand);
+    if (held.status == Status::bad_input)
+      refuse(held.reason == Reason::unsupported ? Mistake::unsupported : Mistake::memory_too_small);
+    return held;
   }
 
   CMotion<S>* motion() const { return motion_; }

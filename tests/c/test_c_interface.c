@@ -232,6 +232,7 @@ static void friction_may_be_round(void) {
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
   lcpush_breaking breaking;
+  lcpush_held held;
   int i;
   pushes[0] = lcpush_make(memory, sizeof memory, &most);
   pushes[1] = lcpush_make_for_sweeps(memory_of_sweeps, sizeof memory_of_sweeps, &most);
@@ -255,7 +256,66 @@ static void friction_may_be_round(void) {
   }
   CHECK(lcpush_break_grasp(pushes[0], 2, &breaking) == LCPUSH_SOLVED);
   CHECK(near(breaking.break_force, 20, 1e-6));
+  CHECK(lcpush_least_grip(pushes[0], 99, &held) == LCPUSH_BAD_INPUT);
+  CHECK(lcpush_why(pushes[0]) == LCPUSH_UNSUPPORTED);
   CHECK(strcmp(lcpush_status_text(LCPUSH_NOT_SETTLED), "not_settled") == 0);
+}
+
+/* What the fingers hold is |x| + |y| <= 2 mu F; beside a push that is under way or solved, by the
+ * memory of either solver. */
+static void tells_what_the_fingers_hold(void) {
+  static const double beside[6] = {2, 0, 0, 0, 0, 0}, harder[2] = {30, 30};
+  static const float beside_f[6] = {2, 0, 0, 0, 0, 0};
+  const double wrong[6] = {NAN, 0, 0, 0, 0, 0};
+  lcpush_push* pushes[2];
+  lcpushf_push* push_f = lcpushf_make(memory_f, sizeof memory_f, &size);
+  lcpush_body bodies[3];
+  lcpush_scene scene = leaving(bodies);
+  lcpushf_scene scene_f = slide_f;
+  lcpush_held held;
+  lcpushf_held held_f;
+  int i, pivots;
+  scene.object.wrench[1] = scene_f.object.wrench[1] = -4;
+  pushes[0] = lcpush_make(memory_d, sizeof memory_d, &size);
+  pushes[1] = lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &size);
+  for (i = 0; i < 2; ++i) {
+    lcpush_push* const push = pushes[i];
+    CHECK(lcpush_least_grip(push, 99, &held) == LCPUSH_BAD_INPUT);
+    CHECK(lcpush_why(push) == LCPUSH_NOT_DESCRIBED && held.value == 0);
+    (void)lcpush_describe(push, &scene);
+    CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+    pivots = lcpush_pivots(push);
+    CHECK(lcpush_least_grip(push, 99, &held) == LCPUSH_SOLVED && near(held.value, 0.2, 1e-12));
+    CHECK(held.twist[1] < 0 && held.exchanges > 0);
+    CHECK(lcpush_most_grip(push, 99, &held) == LCPUSH_SOLVED && isinf(held.value));
+    CHECK(lcpush_margin(push, beside, 99, &held) == LCPUSH_SOLVED && near(held.value, 8, 1e-9));
+    CHECK(lcpush_margin(push, beside, 1, &held) == LCPUSH_PIVOT_LIMIT && held.exchanges == 1);
+    held.value = 1;
+    CHECK(lcpush_margin(push, wrong, 99, &held) == LCPUSH_BAD_INPUT && held.value == 0);
+    CHECK(lcpush_why(push) == LCPUSH_NOT_FINITE);
+    CHECK(lcpush_status_of(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
+    CHECK(contact_at(push, 2).mode == LCPUSH_SEPARATE && lcpush_pivots(push) == pivots);
+    CHECK(lcpush_command(push, harder, NULL) == LCPUSH_RUNNING);
+    CHECK(lcpush_margin(push, beside, 99, &held) == LCPUSH_SOLVED && near(held.value, 13, 1e-9));
+    CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  }
+  /* A solve that is interrupted begins anew. */
+  (void)lcpush_describe(pushes[0], &scene);
+  lcpush_limit(pushes[0], 1);
+  CHECK(lcpush_solve(pushes[0]) == LCPUSH_PIVOT_LIMIT);
+  CHECK(lcpush_least_grip(pushes[0], 99, &held) == LCPUSH_SOLVED && near(held.value, 0.2, 1e-12));
+  CHECK(lcpush_status_of(pushes[0]) == LCPUSH_RUNNING);
+  lcpush_limit(pushes[0], 0);
+  CHECK(lcpush_solve(pushes[0]) == LCPUSH_SOLVED);
+  CHECK(contact_at(pushes[0], 2).mode == LCPUSH_SEPARATE);
+  /* Heavier than the grip bears. */
+  scene.object.wrench[1] = -21;
+  (void)lcpush_describe(pushes[0], &scene);
+  CHECK(lcpush_margin(pushes[0], beside, 99, &held) == LCPUSH_DOES_NOT_HOLD && held.twist[1] < 0);
+  (void)lcpushf_describe(push_f, &scene_f);
+  CHECK(lcpushf_least_grip(push_f, 99, &held_f) == LCPUSH_SOLVED && near(held_f.value, 0.2, 1e-6));
+  CHECK(lcpushf_margin(push_f, beside_f, 99, &held_f) == LCPUSH_SOLVED);
+  CHECK(near(held_f.value, 8, 1e-4));
 }
 
 static void sweeps_agree(void) {
@@ -602,6 +662,7 @@ int main(void) {
   keeps_the_last_answer();
   commands_go_on_from_the_last_basis();
   breaks_the_grasp();
+  tells_what_the_fingers_hold();
   sweeps_agree();
   refuses_nonsense();
   refuses_what_is_not_finite();

@@ -13,7 +13,7 @@ import tempfile
 root = pathlib.Path(sys.argv[1]).resolve()
 page = (root / "docs/embed/embedding.md").read_text()
 readme = (root / "docs/embed/bundle.md").read_text()
-[program] = re.findall(r"```c\n(.*?)```", page, flags=re.S)
+program = re.findall(r"```c\n(.*?)```", page, flags=re.S)[0]  # the next: tests/contract/test_snippets.py
 shell = re.findall(r"```sh\n(.*?)```", page, flags=re.S)
 [making] = [block for block in shell if "--target device_bundle" in block]
 [for_arm] = [block for block in shell if block.startswith("arm-none-eabi-g++")]

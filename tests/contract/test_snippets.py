@@ -3,8 +3,9 @@
     python3 tests/contract/test_snippets.py REPO_ROOT CXX EIGEN_INCLUDE VERSION_INCLUDE
 
 A ```cpp block that begins with #include is a file of its own; any other continues the page's first
-one: it stands in a function that has `file`, `push` and `report`. Indented lines of a header's first
-comment that end in a semicolon are statements.
+one: it stands in a function that has `file`, `push` and `report`. A further ```c block of the device's page
+has `push`, `forces` and `stop`. Indented lines of a header's first comment that end in a semicolon are
+statements.
 """
 
 import pathlib
@@ -35,6 +36,14 @@ int page(lcpush_size size, lcpush_scene scene, lcpush_contact contact, const dou
   return contact.mode == LCPUSH_STICK;
 }
 """
+IN_LOOP = """
+#include <lcpush/lcpush.h>
+void page(lcpushf_push* push, float forces[2]);
+void stop(void);
+void page(lcpushf_push* push, float forces[2]) {
+%s
+}
+"""
 USING = "#include <lcpush/desktop/push.hpp>\nusing namespace lcpush;\n"
 
 
@@ -49,6 +58,13 @@ def page_programs(root):
                 yield name, ".cpp", block
             else:
                 yield name, ".cpp", USING + block
+
+
+def device_programs(root):
+    page = "docs/embed/embedding.md"
+    blocks = re.findall(r"```c\n(.*?)```", (root / page).read_text(encoding="utf-8"), re.S)
+    for number, block in enumerate(blocks[1:], 2):
+        yield f"{page}, block {number} of C", ".c", IN_LOOP % block
 
 
 def header_programs(root):
@@ -74,7 +90,7 @@ def main():
         sys.exit(__doc__)
     root, compiler, eigen, version = pathlib.Path(sys.argv[1]), *sys.argv[2:5]
     includes = [f"-I{root / 'include'}", f"-I{version}", f"-isystem{eigen}"]
-    programs = [*page_programs(root), *header_programs(root)]
+    programs = [*page_programs(root), *device_programs(root), *header_programs(root)]
     with tempfile.TemporaryDirectory() as folder:
         for name, suffix, program in programs:
             said = mistake(program, suffix, compiler, includes, folder)

@@ -1,5 +1,5 @@
 /* The least that a controller links: describe, solve, read. Built with more of the interface as well
- * (BREAK, MOTION, SWEEPS), for what each part takes of the flash. */
+ * (BREAK, MOTION, HOLD, SWEEPS), for what each part takes of the flash. */
 #include "scenes.h"
 
 #ifdef SWEEPS
@@ -37,6 +37,16 @@ int main(void) {
 #ifdef MOTION
   if (status == LCPUSH_SOLVED) status = LCPUSH(set_off)(push, motion_memory, sizeof motion_memory, 0);
   if (status == LCPUSH_RUNNING) status = LCPUSH(advance)(push, R(0.001));
+#endif
+#ifdef HOLD
+  {
+    static const REAL down[6] = {0, -1, 0, 0, 0, 0};
+    LCPUSH(held) held;
+    scene.pressure = LCPUSH_RIGID;
+    status = LCPUSH(describe)(push, &scene);
+    if (status == LCPUSH_RUNNING) status = LCPUSH(least_grip)(push, 99, &held);
+    if (status == LCPUSH_SOLVED) status = LCPUSH(margin)(push, down, 99, &held);
+  }
 #endif
   put("run small status ");
   put(lcpush_status_text(status));

@@ -75,7 +75,8 @@ def flash_table(programs):
     least = {target: programs.code_of("small", target, "core") for target in MACHINE}
     yield " | ".join(["| describe, solve by pivots, read, B",
                       *(str(least[target]) for target in MACHINE)]) + " |"
-    for part, name in (("break", "`break_grasp` as well"), ("motion", "a motion as well")):
+    for part, name in (("break", "`break_grasp` as well"), ("motion", "a motion as well"),
+                       ("hold", "`least_grip` and `margin` as well")):
         more = [programs.code_of(f"small_{part}", target, "core") - least[target]
                 for target in MACHINE]
         yield " | ".join([f"| {name}", *(f"+{size}" for size in more)]) + " |"

@@ -144,4 +144,5 @@ int LCPUSH_NAME(pivots)(const LCPUSH_NAME(push) * push);
 int LCPUSH_NAME(sweeps)(const LCPUSH_NAME(push) * push);
 int LCPUSH_NAME(rounds)(const LCPUSH_NAME(push) * push); /* of the pad law */
 
+#include "lcpush/c/hold.h"
 #include "lcpush/c/motion.h"
