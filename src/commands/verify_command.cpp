@@ -78,6 +78,10 @@ Command verify_command() {
       "step is computed again by the laws, from the motion's own state at its start, and the\n"
       "ends are compared; forces, if there are some, are judged by each law. Here exit status 0\n"
       "means valid, 1 not.\n\n"
+      "The least ANSWER.json, of forces on the object (N), and the least CSV of a motion in the\n"
+      "hand's frame, from 0 at the start (s, m; qw, qx, qy, qz if it turns):\n"
+      "  {\"bodies\": [{\"name\": \"wall\", \"force\": [4.7, 1.2, 0]}]}\n"
+      "  time,x,y,z\n\n"
       "Example:\n"
       "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
       "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",

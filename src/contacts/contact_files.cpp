@@ -55,7 +55,9 @@ public:
                                       "\"mu\", or with \"M\", \"H\", \"f\" and \"mu\", got ") +
                               root.type());
     for (const char* key : known_keys)
-      if (const JsonValue* const value = root.find(key)) parts_[key] = rows_of(*value, fields, key);
+      if (const JsonValue* const value = root.find(key))
+        parts_[key] =
+            rows_of(key == std::string("mu") ? of_all_contacts(*value) : *value, fields, key);
     const std::string normal = fields.text(root, "normal");
     is_normal_last = normal == "last";
     if (!normal.empty() && normal != "first" && normal != "last")
@@ -102,6 +104,18 @@ public:
   }
 
 private:
+  /// A number stands for all contacts, three rows each of what has been read before.
+  JsonValue of_all_contacts(const JsonValue& mu) const {
+    if (mu.as<double>() == nullptr) return mu;
+    Index rows = 3;
+    for (const char* key : {"b", "g", "H", "G", "W"}) { // the last says how many they are
+      if (!has(key)) continue;
+      const SparseRows& part = parts_.at(key);
+      rows = has("M") && part.rows() == parts_.at("M").rows() ? part.cols : part.rows();
+    }
+    return {mu.line, JsonArray(static_cast<std::size_t>(rows / 3), mu)};
+  }
+
   std::string name_;
   std::map<std::string, SparseRows> parts_;
 };
@@ -237,6 +251,15 @@ ContactProblem problem_of(const Parts& parts, bool normal_last) {
 }
 
 } // namespace
+
+ContactProblem in_other_order(ContactProblem problem) {
+  for (int turns = problem.normal_last ? 2 : 1; turns > 0; --turns) { // three lead back
+    turn(problem);
+    if (problem.r) problem.r = turned(*problem.r);
+  }
+  problem.normal_last = !problem.normal_last;
+  return problem;
+}
 
 ContactProblem parse_contacts(const std::string& text, const std::string& name, bool normal_last) {
   return problem_of(Parts(parse_json(text, name), name), normal_last);

@@ -33,7 +33,8 @@ Sizes laws_broken(const Vector3d& r, const Vector3d& u, double mu, double slow) 
   size[1] = std::max(0.0, friction - limit);
   if (speed > slow && limit > slow) {
     const double across = std::abs(rt[0] * ut[1] - rt[1] * ut[0]);
-    size[2] = std::max(std::atan2(across, -rt.dot(ut)), (limit - friction) / limit);
+    const double angle = friction > slow ? std::atan2(across, -rt.dot(ut)) : 0; // 0 has none
+    size[2] = std::max(angle, (limit - friction) / limit);
   }
   const Vector3d dual = u + Vector3d(mu * speed, 0, 0);
   size[3] = (r - nearest_in_cone(r - dual, mu)).norm();
@@ -73,6 +74,29 @@ VectorXd fitted_l(const ContactProblem& p, const VectorXd& r, const VectorXd& u,
 }
 
 } // namespace
+
+std::string contact_hint(const ContactProblem& p, const ContactForces& answer) {
+  const auto worst = [](const ContactForces& of) {
+    return of.worst[static_cast<Index>(ContactLaw::natural_map)].size;
+  };
+  const double enough = std::max(answer.tolerance, ContactSettings::turned * worst(answer));
+  const auto fits = [&](const ContactProblem& problem, const VectorXd& r) {
+    return worst(judge_contacts(problem, r, answer.tolerance)) <= enough;
+  };
+  if (fits(p, -answer.r))
+    return "With every force turned round the laws hold: forces on one of two bodies are asked "
+           "for, "
+           "these are on the other.";
+  VectorXd turned = -answer.r;
+  for (Index i = 0; i < turned.size(); i += 3) turned[i] = answer.r[i];
+  if (fits(p, turned)) return "With every friction turned round the laws hold.";
+  const ContactProblem other = in_other_order(p);
+  const std::string order = other.normal_last ? "last" : "first";
+  if (fits(other, *other.r)) return "With --normal " + order + " the laws hold.";
+  if (fits(p, *other.r))
+    return "The laws hold where the forces alone have the normal " + order + ".";
+  return "";
+}
 
 ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double tolerance,
                              const VectorXd* l) {

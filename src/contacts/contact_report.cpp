@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace lcpush::desktop {
 namespace {
@@ -17,9 +18,9 @@ struct LawWords {
   const char *key, *name, *breaks;
 };
 constexpr LawWords laws[contact_law_count] = {
-    {"signorini", "Signorini", "Signorini's law: its normal force, or how it parts, is off"},
-    {"cone", "cone", "the friction cone: friction is larger than mu r_n"},
-    {"dissipation", "dissipation", "the law of sliding: friction is not mu r_n against the slip"},
+    {"signorini", "Signorini", "Signorini's law"},
+    {"cone", "cone", "the friction cone"},
+    {"dissipation", "dissipation", "the law of sliding"},
     {"natural_map", "natural map", "the laws together, by their natural map"},
     {"equalities", "equalities", "an equality, V' r + R l + s = 0"}};
 
@@ -32,9 +33,41 @@ VectorXd as_given(const ContactProblem& problem, const VectorXd& x) {
   return given;
 }
 
-std::string part_text(Index law, double size) {
-  const bool is_angle = law == static_cast<Index>(ContactLaw::dissipation);
-  return residual_text(size) + (is_angle ? " rad" : "");
+/// A contact's force and velocity, as the laws see them.
+struct SlipAndForce {
+  Eigen::Vector3d r, u;
+  double friction, limit, along, across; ///< the last two: of friction and slip
+
+  SlipAndForce(const ContactProblem& problem, const ContactForces& answer, Index c)
+      : r(answer.r.segment<3>(3 * c)), u(answer.u.segment<3>(3 * c)), friction(r.tail<2>().norm()),
+        limit(problem.mu[c] * std::max(r[0], 0.0)), along(r.tail<2>().dot(u.tail<2>())),
+        across(std::abs(r[1] * u[2] - r[2] * u[1])) {}
+
+  double off_slip() const { return std::atan2(across, -along); } ///< rad
+
+  bool is_misdirected(double tolerance) const {
+    return friction > tolerance * limit && off_slip() > (limit - friction) / limit;
+  }
+};
+
+/// What is wrong there: ": friction is 0, where 0.5 against the slip is due".
+std::string fault_text(const SlipAndForce& at, Index law, double tolerance) {
+  if (law == 0 && at.r[0] < 0) return ": it pulls with " + brief(-at.r[0]);
+  if (law == 0 && at.u[0] < 0) return ": it goes into the other body at " + brief(-at.u[0]);
+  if (law == 0) return ": it presses with " + brief(at.r[0]) + " and parts at " + brief(at.u[0]);
+  if (law == 1) return ": friction is " + brief(at.friction) + ", and mu r_n is " + brief(at.limit);
+  if (law != 2) return "";
+  const std::string due = brief(at.limit) + " against the slip is due";
+  if (!at.is_misdirected(tolerance))
+    return ": friction is " + brief(at.friction, tolerance * at.limit) + ", where " + due;
+  if (std::atan2(at.across, at.along) < ContactSettings::along_slip)
+    return ": friction of " + brief(at.friction) + " goes along with the slip, where " + due +
+           "; its sign looks turned";
+  return ": friction is " + brief(at.off_slip()) + " rad off the direction against the slip";
+}
+
+std::string hint_of(const ContactProblem& problem, const ContactForces& answer) {
+  return problem.r && !answer.is_good ? contact_hint(problem, answer) : "";
 }
 
 /// What is said first.
@@ -54,16 +87,23 @@ std::string verdict(const ContactProblem& problem, const ContactForces& answer) 
   if (answer.is_good) return (problem.r ? "The forces are right: " : "Solved: ") + of;
   std::string text =
       problem.r ? "The forces are refused.\n" : "Not solved: these forces break laws.\n";
+  Index count_broken = 0;
   for (Index law = 0; law < contact_law_count; ++law) {
     const ContactResidual& worst = answer.worst[law];
     const double most =
         law == 2 ? std::max(answer.tolerance, ContactSettings::off_slip) : answer.tolerance;
-    const bool is_told = answer.facets == 0 || law < 2 || law == 4;
+    const bool is_said = law == 3 && count_broken > 0; // it has all laws in one
+    const bool is_told = (answer.facets == 0 || law < 2 || law == 4) && !is_said;
     if (!is_told || worst.size <= most) continue;
+    ++count_broken;
     text += (law == 4 ? "Row " : "Contact ") + std::to_string(worst.contact + 1) + " breaks " +
-            laws[law].breaks + ", by " + part_text(law, worst.size) + ".\n";
+            laws[law].breaks +
+            (law < 3 ? fault_text({problem, answer, worst.contact}, law, answer.tolerance)
+                     : ", by " + residual_text(worst.size)) +
+            ".\n";
   }
-  return text;
+  const std::string hint = hint_of(problem, answer);
+  return text + (hint.empty() ? "" : hint + "\n");
 }
 
 } // namespace
@@ -85,7 +125,7 @@ std::string contacts_text(const ContactProblem& problem, const ContactForces& an
   if (shown < k) text += ".. and " + std::to_string(k - shown) + " more: -v shows all\n";
   std::vector<std::string> parts;
   for (Index law = 0; law < contact_law_count - (has_equalities(problem) ? 0 : 1); ++law)
-    parts.push_back(laws[law].name + (" " + part_text(law, answer.worst[law].size)));
+    parts.push_back(laws[law].name + (" " + residual_text(answer.worst[law].size)));
   text += "\nResiduals: " + joined(parts, ", ");
   if (answer.facets > 0)
     text += "; of the pyramids' complementarity problem " + residual_text(answer.lcp);
@@ -105,6 +145,7 @@ std::string contacts_json(const ContactProblem& problem, const ContactForces& an
   std::vector<std::string> modes;
   for (const ForceMode mode : answer.modes)
     modes.emplace_back(force_mode_texts[static_cast<std::size_t>(mode)]);
+  json.member("hint", unless_empty(hint_of(problem, answer)));
   json.member("modes", modes).member("tolerance", answer.tolerance);
   json.key("residuals").begin_object();
   for (Index law = 0; law < contact_law_count; ++law)

@@ -26,7 +26,10 @@ struct ContactSettings {
   static constexpr double decrease = 1e-4; ///< of the residual, times the step
   static constexpr double settled = 1e-14; ///< of the largest force
   static constexpr double equality = 1e-2; ///< delta of the multipliers, whose columns are near 1
-  static constexpr Index shown = 20;       ///< lines of a table
+  static constexpr double turned = 1e-2;   ///< of the residual: so little shows what was mistaken
+  static constexpr double along_slip =
+      0.1;                           ///< rad: friction so near to the slip has the wrong sign
+  static constexpr Index shown = 20; ///< lines of a table
 };
 
 } // namespace lcpush::desktop

@@ -73,6 +73,7 @@ public:
 
   TrajectoryReport judge(double tolerance) {
     report_.tolerance = tolerance;
+    report_.has_rotation = given_.front().has_rotation;
     report_.status = run_.start();
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);

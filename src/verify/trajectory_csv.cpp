@@ -10,17 +10,6 @@
 namespace lcpush::desktop {
 namespace {
 
-/// w first; of any length but zero.
-Matrix3<double> by_quaternion(const std::vector<double>& q) {
-  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  const double w = q[0] / norm, x = q[1] / norm, y = q[2] / norm, z = q[3] / norm;
-  Matrix3<double> R;
-  R << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-      1 - 2 * (x * x + y * y);
-  return R;
-}
-
 /// A column's place; none: the file has not got it.
 using Column = std::optional<std::size_t>;
 /// Of a body or a contact, in the order of the names below: vectors first.
@@ -32,12 +21,19 @@ public:
   CsvTrajectory(const std::string& file, std::string_view head, const SceneFile& scene)
       : file_(file) {
     for (const std::string_view word : split_at(head, ',')) names_.emplace_back(trimmed(word));
+    for (std::string& name : names_)
+      if (name == "t") name = "time";
     if (!has({"time", "x", "y", "z"}))
       throw InputError(file, 1,
                        "no motion: the first line names the columns time, x, y, z, then r11 .. r33 "
-                       "(row by row) or qw, qx, qy, qz, and if known vx, vy, vz, wx, wy, wz");
-    if (!has(rows_) && !has(quaternion_))
-      throw InputError(file, 1, "no rotation: give the columns r11 .. r33, or qw, qx, qy, qz");
+                       "(row by row) or qw, qx, qy, qz unless it does not turn, and if known vx, "
+                       "vy, vz, wx, wy, wz");
+    const auto is_of_rotation = [&](const std::string& name) {
+      return std::count(rows_.begin(), rows_.end(), name) > 0 ||
+             std::count(quaternion_.begin(), quaternion_.end(), name) > 0;
+    };
+    if (!turns() && std::any_of(names_.begin(), names_.end(), is_of_rotation))
+      throw InputError(file, 1, "half a rotation: give all columns r11 .. r33, or qw, qx, qy, qz");
     find_forces(scene);
   }
 
@@ -51,8 +47,10 @@ public:
     const std::vector<double> place = values(row, {"time", "x", "y", "z"});
     frame.time = place[0];
     frame.pose.position = {place[1], place[2], place[3]};
-    frame.pose.rotation =
-        has(rows_) ? rotation_of_rows(values(row, rows_)) : by_quaternion(values(row, quaternion_));
+    frame.has_rotation = turns();
+    if (turns())
+      frame.pose.rotation = has(rows_) ? rotation_of_rows(values(row, rows_))
+                                       : rotation_of_quaternion(values(row, quaternion_));
     if (has(speeds_)) frame.twist = Eigen::Map<const Vector6<double>>(values(row, speeds_).data());
     frame.step = number_in(row, step_);
     for (const Columns& at : contacts_)
@@ -65,6 +63,8 @@ public:
   }
 
 private:
+  bool turns() const { return has(rows_) || has(quaternion_); }
+
   struct Row {
     std::vector<std::string_view> words;
     int number;

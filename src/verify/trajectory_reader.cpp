@@ -137,6 +137,16 @@ Matrix3<double> rotation_of_rows(const std::vector<double>& r) {
   return R;
 }
 
+Matrix3<double> rotation_of_quaternion(const std::vector<double>& q) {
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  const double w = q[0] / norm, x = q[1] / norm, y = q[2] / norm, z = q[3] / norm;
+  Matrix3<double> R;
+  R << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+      1 - 2 * (x * x + y * y);
+  return R;
+}
+
 ReadFrames frames_of_json(const std::string& text, const std::string& file,
                           const SceneFile& scene) {
   const JsonValue root = parse_json(text, file);
@@ -147,13 +157,21 @@ ReadFrames frames_of_json(const std::string& text, const std::string& file,
   ReadFrames read;
   for (const JsonValue& entry : *list) {
     TrajectoryFrame frame;
-    const auto time = fields.number(entry, "time");
+    const auto time = fields.number(entry, entry.find("time") != nullptr ? "time" : "t");
     const auto position = fields.vector<3>(entry, "position");
-    const auto rotation = fields.numbers(entry, "rotation", 9);
-    if (!time || !position || !rotation)
-      fields.refuse(entry, "a frame needs \"time\", \"position\" [3] and \"rotation\" [9]");
+    const auto rotation = fields.numbers(entry, "rotation", 9),
+               quaternion = fields.numbers(entry, "quaternion", 4);
+    if (!time || !position)
+      fields.refuse(entry, "a frame needs \"time\" and \"position\" [3], and if it turns "
+                           "\"rotation\" [9] or \"quaternion\" [4], w first");
+    frame.has_rotation = rotation || quaternion;
+    if (!read.frames.empty() && frame.has_rotation != read.frames[0].has_rotation)
+      fields.refuse(entry, "frames have rotations in all of them or in none");
     frame.time = *time;
-    frame.pose = {*position, rotation_of_rows(*rotation)};
+    frame.pose.position = *position;
+    if (frame.has_rotation)
+      frame.pose.rotation =
+          rotation ? rotation_of_rows(*rotation) : rotation_of_quaternion(*quaternion);
     frame.twist = fields.vector<6>(entry, "twist");
     read_forces(fields, entry, places, frame);
     read.frames.push_back(frame);

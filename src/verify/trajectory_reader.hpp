@@ -23,6 +23,8 @@ struct PlacesByName {
 };
 
 Matrix3<double> rotation_of_rows(const std::vector<double>& rows);
+/// w first; of any length but zero.
+Matrix3<double> rotation_of_quaternion(const std::vector<double>& q);
 
 ReadFrames frames_of_json(const std::string& text, const std::string& file, const SceneFile& scene);
 ReadFrames frames_of_csv(const std::string& text, const std::string& file, const SceneFile& scene);

@@ -80,15 +80,21 @@ Fact force_fact(const SceneFile& file, const TrajectoryReport& report) {
     else if (&worst != first || report.verdict != TrajectoryVerdict::wrong_forces)
       broken += "\n" + fault_sentence(file, worst);
   }
-  std::string text = "of " + counted(forces.frames, "frame") + " judged" +
-                     (forces.balanced < forces.frames
-                          ? ", the balance of " + std::to_string(forces.balanced) + ": "
-                          : ": ");
+  std::string text = "of " + counted(forces.frames, "frame") + " judged: ";
+  const std::string unjudged =
+      forces.balanced == forces.frames
+          ? ""
+          : "\nNewton's law, that forces make the motion, is " +
+                (forces.balanced == 0 ? "not judged"
+                                      : "judged of " + counted(forces.balanced, "frame")) +
+                ": several steps lie between two frames, and only the last one's forces "
+                "are known";
   if (first == nullptr)
-    return {"Forces", text + "every law is kept; the largest violation is " + residual_text(most) +
-                          " of the largest force"};
-  return {"Forces",
-          text + (kept.empty() ? "no law is kept" : "kept are " + listed(kept, "and")) + broken};
+    return {"Forces", text + "every law " + (forces.balanced > 0 ? "" : "but Newton's ") +
+                          "is kept; the largest violation is " + residual_text(most) +
+                          " of the largest force" + unjudged};
+  return {"Forces", text + (kept.empty() ? "no law is kept" : "kept are " + listed(kept, "and")) +
+                        broken + unjudged};
 }
 
 std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& report) {
@@ -157,6 +163,8 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
   if (report.offset)
     facts.push_back({"Begins at", vector_text(*report.offset) +
                                       " m instead of 0: its positions are judged from there on"});
+  if (!report.has_rotation)
+    facts.push_back({"Rotation", "the file says none: the object is taken not to turn"});
   if (report.forces) facts.push_back(force_fact(file, report));
   return title_line(file) + verdict_sentence(file, report) + "\n\n" + facts_text(facts);
 }
@@ -173,6 +181,7 @@ std::string trajectory_json(const SceneFile& file, const TrajectoryReport& repor
       .member("mean", report.mean)
       .member("missed_change", report.missed.speed)
       .member("offset", report.offset)
+      .member("has_rotation", report.has_rotation)
       .member("status", status_text(report.status))
       .member("creep", report.creep)
       .member("held", report.held)

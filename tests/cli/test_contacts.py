@@ -98,6 +98,28 @@ class Contacts(ToolTest):
         self.assertEqual(run("contacts", self.written({**problem, "r": python[0]})).returncode, 0)
         self.assertEqual({run("contacts", path, "--json").returncode for path in files}, {1})
 
+    def test_refused_forces_are_told_what_is_wrong(self):
+        slides = {"W": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "b": [0.5, 0, -1], "mu": 0.5, "normal": "last"}
+        self.assertEqual([round(x, 9) for x in json_of("contacts", self.written(slides))["r"]], [-0.5, 0, 1])
+        for r, words in (([0, 0, 1], "friction is 0, where 0.5 against the slip is due"),
+                         ([-0.2, 0, 1], "friction is 0.2, where 0.5 against the slip is due"),
+                         ([0.5, 0, 1], "friction of 0.5 goes along with the slip, where 0.5 against the slip is due; "
+                          "its sign looks turned. With every friction turned round the laws hold."),
+                         ([-0.3, 0.4, 1], "friction is 2.03 rad off"), ([-0.6, 0, 1], "friction is 0.6, and mu r_n is 0.5"),
+                         ([-0.5, 0, -1], "it pulls with 1"), ([0, 0, 0.5], "it goes into the other body at 0.5"),
+                         ([0, 0, 2], "it presses with 2 and parts at 1"),
+                         ([0.5, 0, -1], "With every force turned round the laws hold"),
+                         ([1, -0.5, 0], "The laws hold where the forces alone have the normal first.")):
+            result = run("contacts", self.written({**slides, "r": r}))
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(words, unwrapped(result.stdout))
+        first = {**slides, "r": [-0.5, 0, 1]}
+        del first["normal"]
+        self.assertIn("With --normal last the laws hold.", json_of("contacts", self.written(first))["hint"])
+        masses = {"M": [[2, 0], [0, 2]], "H": [[1, 0, 0, 1, 0, 0], [0, 1, 0, 0, 1, 0]], "f": [-4, 0]}
+        one, two = (json_of("contacts", self.written({**masses, "mu": mu})) for mu in (0.5, [0.5, 0.5]))
+        self.assertEqual(one, two)
+
     def test_closed_forms(self):
         weight = 2 * 9.81
         answer = json_of("contacts", INCLINE)

@@ -31,6 +31,9 @@ class Trajectory(ToolTest):
             self.assertLessEqual(report["worst"], 1e-9)
 
     def test_its_own_motions_follow_whatever_steps_lie_between_their_frames(self):
+        told = run("verify", PIVOT, "--trajectory", self.file("m.csv", run("move", PIVOT, "--format", "csv").stdout)).stdout
+        self.assertIn("every law but Newton's is kept", unwrapped(told))
+        self.assertIn("Newton's law, that forces make the motion, is not judged: several steps", unwrapped(told))
         for name in ("soft_fingers", "dropped", "tipping"):
             scene = SOURCE / f"fixtures/scenes/{name}.toml"
             motion = run("move", scene, "--time", 0.3, "--frames", 61, "--json").stdout
@@ -44,6 +47,21 @@ class Trajectory(ToolTest):
         head = "time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"
         report, code = self.verdict(scene, self.file("m.csv", "\n".join([head, *rows])))
         self.assertEqual((report["verdict"], code), ("follows", 0))
+        # The same with `t` and no rotation, as it does not turn; and as JSON with quaternions.
+        plain = "\n".join(["t,x,y,z,vx,vy,vz,wx,wy,wz"] + [",".join(row.split(",")[:4] + row.split(",")[8:]) for row in rows])
+        frames = [{"t": t, "position": [0, y, 0], "quaternion": [2, 0, 0, 0], "twist": [0, v, 0, 0, 0, 0]}
+                  for t, y, v in ((x[0], x[2], x[9]) for x in (list(map(float, row.split(","))) for row in rows))]
+        for text, is_turn in ((plain, False), (json.dumps({"frames": frames}), True)):
+            other, code = self.verdict(scene, self.file("m.csv", text))
+            self.assertEqual(other, {**report, "has_rotation": is_turn})
+        told = unwrapped(run("verify", scene, "--trajectory", self.file("m.csv", plain)).stdout)
+        self.assertIn("the file says none: the object is taken not to turn", told)
+        # A turn of 90 degrees about z, either way to say it.
+        ways = {"quaternion": [0.5 ** 0.5, 0, 0, 0.5 ** 0.5], "rotation": [0, -1, 0, 1, 0, 0, 0, 0, 1]}
+        turned = [self.verdict(scene, self.file("m.json", json.dumps({"frames": [
+            {"time": k, "position": [0, 0, 0], name: way} for k in range(3)]})))[0] for name, way in ways.items()]
+        self.assertEqual(*[{key: round(value, 9) if isinstance(value, float) else value for key, value in one.items()}
+                           for one in turned])
         # Half as fast is no fall.
         slow = [row.split(",") for row in rows]
         for row in slow:
@@ -164,7 +182,7 @@ center = [-0.0109, -0.0158, 0]
     def test_files_that_are_none_are_refused_with_their_line(self):
         head = "time,x,y,z,qw,qx,qy,qz\n"
         for text, line, message in (
-                ("", 1, "no motion"), ("time,x,y,z\n", 1, "no rotation"),
+                ("", 1, "no motion"), ("time,x,y,z,qw\n", 1, "half a rotation"),
                 (head + "0,0,0,0,1,0,0\n", 2, "names 8 columns, this one has 7"),
                 (head + "0,0,0,x,1,0,0,0\n", 2, "z: "),
                 (head + 2 * "0,0,0,0,1,0,0,0\n" + "1,0,0,0,1,0,0,0\n", 3, "time must grow"),

@@ -69,6 +69,11 @@ ContactForces solve_contact_pyramids(const ContactProblem& problem, Index facets
 ContactForces judge_contacts(const ContactProblem& problem, const Eigen::VectorXd& r,
                              double tolerance, const Eigen::VectorXd* l = nullptr);
 
+/// The same numbers, read with the normal at the other place.
+ContactProblem in_other_order(ContactProblem problem);
+/// Of refused forces: signs turned round, or another order, with which they fit; empty: none does.
+std::string contact_hint(const ContactProblem& problem, const ContactForces& refused);
+
 std::string contacts_text(const ContactProblem& problem, const ContactForces& answer, bool all);
 std::string contacts_json(const ContactProblem& problem, const ContactForces& answer);
 

@@ -35,13 +35,14 @@ struct TrajectoryFrame {
                               ///< since the frame before
   std::vector<FrameContact> contacts; ///< of the scene's points; empty: nothing is said
   std::vector<FrameBody> bodies;      ///< of the scene's bodies; empty: nothing is said
+  bool has_rotation = true;           ///< false: nothing is said, and it is taken not to turn
 };
 
 /// Frames of a JSON object as `lcpush move --json` writes it, or of a CSV file with a head and the
-/// columns time, x, y, z, then r11 .. r33 or qw, qx, qy, qz, and if they are known vx .. wz and
-/// forces. Throws InputError: not of this shape, times that do not grow, no rotation, bodies or
-/// contacts that the scene has not.
-/// `file_name` only names the text in messages.
+/// columns time (or t), x, y, z, then r11 .. r33 or qw, qx, qy, qz unless it does not turn, and if
+/// they are known vx .. wz and forces. Throws InputError: not of this shape, times that do not
+/// grow, no rotation, bodies or contacts that the scene has not. `file_name` only names the text in
+/// messages.
 std::vector<TrajectoryFrame> parse_trajectory(const std::string& text, const std::string& file_name,
                                               const SceneFile& scene);
 
@@ -113,6 +114,7 @@ struct TrajectoryReport {
   MissedChange missed;   ///< over several steps
   /// m: the positions are relative to another origin, and so are judged from their first on.
   std::optional<Vector3<double>> offset;
+  bool has_rotation = true;          ///< as its frames
   Status status = Status::solved;    ///< of the step that stopped
   double creep = 0;                  ///< m/s, mean speed of the contact point that goes farthest
   std::optional<double> held;        ///< so many times the grip that holds: the scene's own

@@ -120,7 +120,7 @@ def contacts(W: Any, g: Any, mu: Any, *, r: Any = None, facets: Optional[int] = 
     Args:
         W: shape (3k, 3k), symmetric and positive semidefinite: rows, an array or a sparse matrix
         g: shape (3k,)
-        mu: shape (k,), friction
+        mu: shape (k,), friction; or a number for all contacts
         r: shape (3k,), somebody's forces: they are judged instead, to `tolerance` (1e-6)
         facets: pyramids of so many sides instead of round cones
         normal: "first" or "last" of each contact's three numbers
@@ -129,7 +129,7 @@ def contacts(W: Any, g: Any, mu: Any, *, r: Any = None, facets: Optional[int] = 
     >>> contacts([[2, 0, 0], [0, 2, 0], [0, 0, 2]], [-4, 1, 0], [0.5]).modes
     ['stick']
     """
-    friction = plain(mu, "mu")
+    friction = mu if isinstance(mu, (int, float)) else plain(mu, "mu")
     problem: Dict[str, Any] = {"W": table_of(W, "W"), "g": plain(g, "g"), "mu": friction}
     if r is not None:
         problem["r"] = plain(r, "r")

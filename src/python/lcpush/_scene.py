@@ -181,7 +181,8 @@ class Scene:
 
         Args:
             frames: a list of {"time": s, "position": (3,), "rotation": (9,) row by row, "twist":
-                (6,)} (arrays may be NumPy's; a twist need not be known), how far the object has
+                (6,)} (arrays may be NumPy's; a twist need not be known; "quaternion" (4,), w
+                first, does for a rotation, and neither where nothing turns), how far the object has
                 gone from the scene's place, and if they are to be judged the forces of "contacts"
                 and "bodies" as a Motion has them; a Motion; the text of such a JSON object, or of
                 CSV; or the pathlib.Path of its file
