@@ -5,6 +5,7 @@
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/limits.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -51,17 +52,16 @@ int run_export(const Arguments& arguments) {
   }
   std::error_code nothing_there;
   for (const std::string& name : result.absent) std::filesystem::remove(into / name, nothing_there);
-  std::printf(
-      "Wrote %sM.mtx, q.mtx and names.txt: %td unknowns, the literal laws with pyramids of\n"
-      "%td facets, %s.\n",
-      prefix.c_str(), result.unknowns, file.facets, result.units.c_str());
-  std::printf("The paper's program: H, f, A, b, Aeq, beq, lb, ub and answer.mtx; names.json says "
-              "what they hold.\n");
-  if (result.fclib_refusal.empty())
-    std::printf("FCLIB's local problem: W, V, R, mu, q and s.mtx in %s.\n",
-                (into / "fclib" / "").string().c_str());
-  else
-    std::printf("No fclib/: %s.\n", result.fclib_refusal.c_str());
+  const std::string told =
+      "Wrote " + prefix + "M.mtx, q.mtx and names.txt: " + std::to_string(result.unknowns) +
+      " unknowns, the literal laws with pyramids of " + std::to_string(file.facets) + " facets, " +
+      result.units + ".\nThe paper's program: H, f, A, b, Aeq, beq, lb, ub and answer.mtx; " +
+      "names.json says what they hold.\n" +
+      (result.fclib_refusal.empty()
+           ? "FCLIB's local problem: W, V, R, mu, q and s.mtx in " + (into / "fclib" / "").string()
+           : "No fclib/: " + result.fclib_refusal) +
+      ".\n";
+  std::printf("%s", wrapped(told, columns_of(Stream::output)).c_str());
   std::printf("Solve it again: lcpush lcp %sM.mtx %sq.mtx%s%s\n", prefix.c_str(), prefix.c_str(),
               result.free.empty() ? "" : " --free ", result.free.c_str());
   std::printf("Solve it the paper's way: python3 %ssolve_push.py\n"

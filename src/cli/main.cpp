@@ -88,9 +88,8 @@ std::string help_text(const Command& command) {
     left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
     text += left + option.help + "\n";
   }
-  return wrapped(text +
-                     "  --help                    this text\n\nExit status: 0 solved, 1 not solved "
-                     "(the output says why), 2 bad input or usage.\nMemory: about 1 GB at most; "
+  return wrapped(text + "  --help                    this text\n\nExit status: " + command.exits +
+                     ", 2 bad input or usage.\nMemory: about 1 GB at most; "
                      "what would take more is refused before it begins.\n",
                  columns_of(Stream::output));
 }

@@ -51,6 +51,7 @@ struct Command {
   std::size_t most_files = 1;
   bool ends_with_what_there_is = false;    ///< when its seconds are over
   std::vector<std::string> more_keys = {}; ///< of JSON alone
+  std::string exits = "0 solved, 1 not solved (the output says why)";
 
   const Option* find(const std::string& option) const;
 };

@@ -55,7 +55,8 @@ Command contacts_command() {
       {"text", "json"},
       1,
       false,
-      {"problem"}};
+      {"problem"},
+      "0 solved, or the forces are right, 1 not (the output says why)"};
 }
 
 } // namespace lcpush::commands

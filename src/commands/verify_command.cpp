@@ -76,8 +76,7 @@ Command verify_command() {
       "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
       "With --trajectory it is a motion, frames as of `lcpush move --json` or --format csv: each\n"
       "step is computed again by the laws, from the motion's own state at its start, and the\n"
-      "ends are compared; forces, if there are some, are judged by each law. Here exit status 0\n"
-      "means valid, 1 not.\n\n"
+      "ends are compared; forces, if there are some, are judged by each law.\n\n"
       "The least ANSWER.json, of forces on the object (N), and the least CSV of a motion in the\n"
       "hand's frame, from 0 at the start (s, m; qw, qx, qy, qz if it turns):\n"
       "  {\"bodies\": [{\"name\": \"wall\", \"force\": [4.7, 1.2, 0]}]}\n"
@@ -96,7 +95,10 @@ Command verify_command() {
           {verbose_option})),
       run_verify,
       {"text", "json"},
-      3};
+      3,
+      false,
+      {},
+      "0 the answer, or motion, is right, 1 it is not (the output says why)"};
 }
 
 } // namespace lcpush::commands

@@ -1,20 +1,22 @@
 #include "export/export_parts.hpp"
+#include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-std::string units_text(const Scales<double>& scales) {
-  return "scaled: force " + shown(scales.force) + " N, length " + shown(scales.length) +
-         " m, acceleration " + shown(scales.acceleration) + " m/s^2";
+template <class Digits> std::string units_text(const Scales<double>& scales, Digits digits) {
+  return "scaled: force " + digits(scales.force) + " N, length " + digits(scales.length) +
+         " m, acceleration " + digits(scales.acceleration) + " m/s^2";
 }
 
-void add_lcp(const Push& push, const Problem<double>& problem, Export& result, Folder& folder) {
+void add_lcp(const Push& push, const Problem<double>& problem, const std::string& units,
+             Export& result, Folder& folder) {
   HostMatrix M = zero_matrix(problem.size, problem.size);
   fill_matrix(problem, map_of(M));
   const HostMatrix q{problem.size, 1, {problem.q, problem.q + problem.size}};
-  folder.matrix("M", M, result.units);
-  folder.vector("q", q, result.units);
+  folder.matrix("M", M, units);
+  folder.vector("q", q, units);
   std::string names;
   for (Index i = 0; i < problem.size; ++i) {
     names += std::to_string(i + 1) + "\t" + push.variable_name(i) + "\n";
@@ -31,11 +33,13 @@ Export export_scene(const SceneFile& file) {
   Push push(file);
   Export result;
   result.unknowns = push.layout().size;
-  result.units = units_text(push.layout().scales);
+  const Scales<double>& scales = push.layout().scales;
+  result.units = units_text(scales, [](double x) { return number(x); });
+  const std::string units = units_text(scales, [](double x) { return shown(x); });
   Folder folder;
-  add_lcp(push, push.assembly().problem(), result, folder);
+  add_lcp(push, push.assembly().problem(), units, result, folder);
   const OwnedFullForm full(push.assembly());
-  add_program(full, result.units, folder);
+  add_program(full, units, folder);
   folder.text("names.json", export_names(push, full));
   folder.text("solve_push.py", python_script());
   folder.text("solve_push.m", octave_script());

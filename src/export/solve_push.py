@@ -17,9 +17,12 @@ import json
 import pathlib
 import sys
 
-import numpy as np
-import scipy
-from scipy import io, optimize, sparse
+try:
+    import numpy as np
+    import scipy
+    from scipy import io, optimize, sparse
+except ImportError as missing:
+    sys.exit(f"{missing}; solve_push.py needs NumPy and SciPy, such as of `pip install numpy scipy`")
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 STARTS, SEED = 12, 1

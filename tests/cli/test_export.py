@@ -1,6 +1,8 @@
 """lcpush export: every file is there, fits the others and says what its numbers are."""
 import json
 import pathlib
+import subprocess
+import sys
 
 from tool import SOURCE, ToolTest, main, run, unwrapped
 
@@ -105,6 +107,14 @@ class Export(ToolTest):
         printed = self.export(SLIDE)
         self.assertIn("solve_push.py", printed)
         self.assertIn("lcpush verify", printed)
+        sentences = [line for line in printed.splitlines() if "lcpush " not in line and "solve_push" not in line]
+        self.assertLessEqual(max(map(len, sentences)), 80)
+        self.assertIn(" length 0.0522015 m,", " ".join(printed.split()))
+        (self.out / "numpy.py").write_text("raise ImportError('No module named numpy')")
+        bare = subprocess.run([sys.executable, self.out / "solve_push.py"], capture_output=True, text=True)
+        (self.out / "numpy.py").unlink()
+        self.assertEqual((bare.returncode, bare.stderr.count("\n")), (1, 1), bare.stderr)
+        self.assertIn("needs NumPy and SciPy", bare.stderr)
         compile((self.out / "solve_push.py").read_text(), "solve_push.py", "exec")
         for script in ("solve_push.py", "solve_push.m"):
             text = (self.out / script).read_text()

@@ -25,7 +25,7 @@ struct Export {
   std::vector<ExportFile> files;
   Index unknowns = 0; ///< of M.mtx
   std::string free;   ///< its free unknowns as `lcp --free` takes them: "65,66"; or empty
-  std::string units;  ///< "scaled: force 20 N, .."
+  std::string units;  ///< "scaled: force 20 N, ..", in six digits; the files have all
   /// Why the scene has no FCLIB problem (torsion, or a contact that pulls); empty if it has one.
   std::string fclib_refusal;
   /// Files that another scene's export has and this one has not: left in a folder they would lie.
