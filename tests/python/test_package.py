@@ -235,6 +235,10 @@ class Judging(unittest.TestCase):
         self.assertFalse(verdict)
         self.assertTrue(verdict.because)
 
+    def test_contacts_take_one_friction_for_all(self):
+        W, g = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [-1, 0.5, 0]
+        self.assertEqual(lcpush.contacts(W, g, 0.5).json, lcpush.contacts(W, g, [0.5]).json)
+
     def test_of_motions(self):
         scene = lcpush.read(SLIDE)
         motion = scene.move(time=0.1, step=0.001, frames=101)
@@ -242,6 +246,8 @@ class Judging(unittest.TestCase):
         frames = [{"time": t, "position": p, "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
                   for t, p in zip(listed(motion.times), listed(motion.positions))]
         self.assertTrue(scene.verify_motion(frames))
+        self.assertTrue(scene.verify_motion([{"t": frame["time"], "position": frame["position"], "quaternion": [1, 0, 0, 0]}
+                                             for frame in frames]))
         frames[50]["position"] = [x + 1e-5 for x in frames[50]["position"]]
         self.assertEqual(scene.verify_motion(frames).verdict, "differs")
         frames = json.loads(motion.json)["frames"]
