@@ -21,9 +21,10 @@ struct VerifySettings {
   static constexpr double fits = 1e-3;   ///< of the tolerance: so well forces are fitted
   static constexpr double laws_first = 1e4; ///< weight of laws beside given sums: what these are
                                             ///< off by leaves 1e-8 of it in the laws
-  static constexpr double own_first = 10; ///< the error beside lcpush's own motion is told unless
-                                          ///< the forces' own motion has so many times less
-  static constexpr double turned = 1e-2; ///< of the error, at most, is left by a change of signs
+  static constexpr double own_first = 10;   ///< the error beside lcpush's own motion is told unless
+                                            ///< the forces' own motion has so many times less
+  static constexpr double turned = 1e-2; ///< of the error: less is left by a right change of signs,
+                                         ///< and is no imbalance to tell
   static constexpr double same_place = 1e-6;    ///< of the scene's size: places in six digits
   static constexpr double same_answer = 1e-6;   ///< least tolerance of "the same answer": two
                                                 ///< solvers' answers in double agree to 1e-8

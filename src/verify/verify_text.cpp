@@ -58,7 +58,9 @@ std::string headline(const VerifyReport& report) {
 /// "For an object that moves at 0.01 m/s^2 along +x, its forces and its load leave 0.059 N along
 /// +x."
 std::string imbalance_sentence(const VerifyReport& report) {
-  if (!report.imbalance || is_rounding(report.imbalance->norm())) return "";
+  if (!report.imbalance || !report.hint.empty() ||
+      report.imbalance->norm() <= VerifySettings::turned * report.rows[report.told].si)
+    return "";
   const auto told = [](const Vector3<double>& v, const std::string& unit) {
     return short_number(v.norm()) + " " + unit + " along " + direction_text(v.normalized());
   };
