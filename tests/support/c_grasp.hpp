@@ -9,6 +9,7 @@
 #include "lcpush/lcpush.h"
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "support/grasp_families.hpp"
+#include "support/solved_push.hpp"
 
 namespace lcpush::test {
 
@@ -115,7 +116,8 @@ inline double violation(const CGrasp& grasp, const lcpushf_push* push) {
 }
 
 struct GraspCount {
-  int solved = 0, most_pivots = 0;
+  int solved = 0;
+  std::vector<int> pivots; ///< of each that is solved, in order of size
   double worst = 0;
 };
 
@@ -141,11 +143,12 @@ inline GraspCount solve_a_thousand(Pressure pressure, Index facets) {
     REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
     if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
     ++count.solved;
-    count.most_pivots = std::max(count.most_pivots, lcpushf_pivots(push));
+    count.pivots.push_back(lcpushf_pivots(push));
     const double worst = violation(grasp, push);
-    CHECK(worst <= 2e-4);
+    CHECK(worst <= 3e-5);
     count.worst = std::max(count.worst, worst);
   }
+  std::sort(count.pivots.begin(), count.pivots.end());
   return count;
 }
 
@@ -155,9 +158,47 @@ inline void check_a_thousand(Pressure pressure, Index facets) {
   CAPTURE(facets);
   const GraspCount count = solve_a_thousand(pressure, facets);
   MESSAGE(facets << " facets, law " << static_cast<int>(pressure) << ": " << count.solved
-                 << " of 1000 solved, at most " << count.most_pivots << " pivots, worst violation "
-                 << count.worst);
+                 << " of 1000 solved, pivots median " << count.pivots[count.pivots.size() / 2]
+                 << ", 99 % " << count.pivots[count.pivots.size() * 99 / 100] << ", most "
+                 << count.pivots.back() << ", worst violation " << count.worst);
   CHECK(count.solved >= 995);
+}
+
+/// Of grasps under `pad` whose fastest body has `ratio` of grip force over mass: in how many of a
+/// hundred float's push is within a per cent of double's.
+inline double within_a_per_cent(double ratio) {
+  const lcpush_size most{12, 12, 8, 12, 12, 0};
+  std::vector<double> memory(LCPUSH_BYTES(float, 12, 12, 8, 12, 12) / sizeof(double) + 1);
+  int compared = 0, within = 0;
+  for (std::uint64_t seed = 1; compared < 300; ++seed) {
+    OwnedScene<double> in_double = grasp_of<double>(Family::plain, seed);
+    if (in_double.points.size() > 12) continue;
+    double fastest = 0, grip = 0;
+    for (const Body<double>& body : in_double.bodies)
+      fastest = std::max(fastest, body.acceleration.head<3>().norm());
+    for (const Actuator<double>& a : in_double.actuators) grip = std::max(grip, a.force);
+    const double factor = ratio * grip / in_double.base.object.mass / fastest;
+    OwnedScene<float> owned = grasp_of<float>(Family::plain, seed);
+    for (Body<double>& body : in_double.bodies) body.acceleration *= factor;
+    for (Body<float>& body : owned.bodies) body.acceleration *= static_cast<float>(factor);
+    owned.base.facets = in_double.base.facets = 4;
+    owned.base.pressure = in_double.base.pressure = Pressure::pad;
+    SolvedPush<double> expected(in_double);
+    const CGrasp grasp(owned);
+    lcpushf_push* const push = lcpushf_make(memory.data(), memory.size() * sizeof(double), &most);
+    REQUIRE(push != nullptr);
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    REQUIRE(expected.solve() == Status::solved);
+    ++compared;
+    if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
+    float found[6];
+    const int pusher = grasp.scene.body_count - 1;
+    lcpushf_wrench_of(push, pusher, found);
+    const Vector3<double> force = expected.wrench(pusher).head<3>();
+    const Vector3<double> off = Eigen::Map<const Eigen::Vector3f>(found).cast<double>() - force;
+    within += off.norm() <= 0.01 * force.norm() ? 1 : 0;
+  }
+  return 100.0 * within / compared;
 }
 
 /// The limit of a vanishing push on the whole table in double.

@@ -175,7 +175,8 @@ private:
     reason_ = reason;
     return status_ = status;
   }
-  RatioTest<S, Int> ratio_test() const {
+  using Ratios = RatioTest<S, Int, B::takes_matrix>;
+  Ratios ratio_test() const {
     Tolerances<S> tolerances = options_.tolerances;
     tolerances.tie = tie_tolerance_;
     return {basis_.dictionary, rhs_count_, options_.tie_rule, tolerances, candidates_};
@@ -239,7 +240,7 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(W
   watcher.starts(*this);
   if (n_ == 0 || is_done) return accept();
   const Index column = basis_.enter(artificial(n_));
-  RatioTest<S, Int> test = ratio_test();
+  Ratios test = ratio_test();
   const Blocking worst = test.most_violated_row(column);
   // A first basis so near singular that rounding hides every row that z0 could repair.
   if (worst.row < 0) return end_unfactored();
@@ -265,7 +266,7 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::advance
 
   // The entering column, and the ratio test: nothing blocks, and this is a ray.
   const Index column = basis_.enter(entering_);
-  RatioTest<S, Int> test = ratio_test();
+  Ratios test = ratio_test();
   const Blocking blocking = test.blocking_row(column);
   if (blocking.row < 0) return conclude_ray(column);
 

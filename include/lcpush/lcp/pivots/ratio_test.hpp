@@ -9,7 +9,8 @@
 namespace lcpush {
 
 /// The ratio test over right-hand sides that count in order (each infinitely larger than the next).
-template <class S, class Int = int> class RatioTest {
+/// `has_table`: whole rows can be read, which the lexicographic rule needs.
+template <class S, class Int = int, bool has_table = true> class RatioTest {
 public:
   /// `rhs_count`: leading columns of dictionary.values that are data; the rest only breaks ties.
   /// `candidates` is scratch for n integers.
@@ -76,10 +77,11 @@ private:
   /// Reduces the tied candidates to one.
   TieBreak break_tie() {
     if (rule_ == TieRule::first_row) return TieBreak::order;
-    if (rule_ == TieRule::lexicographic) {
-      for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(i);
-      return TieBreak::lexicographic;
-    }
+    if constexpr (has_table)
+      if (rule_ == TieRule::lexicographic) {
+        for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(i);
+        return TieBreak::lexicographic;
+      }
     for (Index k = rhs_count_; k < d_.values.cols(); ++k) {
       keep_smallest(d_.values.data() + k * d_.size());
       if (count_ == 1) return TieBreak::tie_column;

@@ -126,7 +126,7 @@ private:
   }
 
   Status end_round(Status status) {
-    if (status != Status::solved && warm_ && !restarted_)
+    if (status != Status::solved && warm_ && !restarted_ && options_.slowest > S(0))
       return schedule_.fall_slower() ? next_round() : restart();
     if (status != Status::solved) return end_pads(status);
     const S violation = detail::pad_violation(assembly_, memory_);

@@ -17,7 +17,8 @@ template <class S> struct PressureOptions {
                                      ///< so that a pad's modes are nearly those of the end
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round, 10^-1/2; the fewest pivots of
                                      ///< 10^-1/4 to 10^-1 on random grasps
-  S slowest{S(7) / S(10)};           ///< .. and by no larger one after rounds that were lost
+  S slowest{S(7) / S(10)};           ///< .. and by no larger one after rounds that were lost, which
+                                     ///< are tried again; 0: one that is lost is not
   Index max_rounds = 60;             ///< a median of 7 is enough (docs/theory/numerics.md)
   Index stiff_starts = 2;       ///< from the literal basis, if the rounds from nothing are lost
   S stiff_start{S(1) / S(100)}; ///< the first compliance of each, beside the one before
