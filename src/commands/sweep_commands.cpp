@@ -300,7 +300,7 @@ Command report_command() {
       "SCENE.toml [OPTIONS]",
       "one page: the grasp in pictures, the answer in words, plots",
       "Writes a page for a browser that needs nothing else: the grasp in three views with forces,\n"
-      "friction pyramids, contact modes and the axis that the object turns about; the answers of\n"
+      "friction cones, contact modes and the axis that the object turns about; the answers of\n"
       "`solve` and `break` in words; contacts, residuals, and a plot for each --vary (as in\n"
       "`sweep`). A push without an answer gives a page that says why.\n\n"
       "With --format svg one picture alone: isometric, front, top or side, friction, residuals,\n"

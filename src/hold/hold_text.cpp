@@ -53,6 +53,33 @@ std::string against(const HoldLimit& limit) {
   return way;
 }
 
+/// The axes that are as weak as the weakest direction of a kind, to what words tell.
+std::vector<const HoldLimit*> weak_axes(const HoldStudy& study, Disturbance kind) {
+  const double weakest = study.weakest[static_cast<std::size_t>(kind)].limit;
+  std::vector<const HoldLimit*> axes;
+  for (std::size_t k = 0; k < 6 && !study.limits.empty(); ++k) {
+    const HoldLimit& limit = study.limits[6 * static_cast<std::size_t>(kind) + k];
+    if (limit.limit <= (1 + hold_settings.told) * weakest) axes.push_back(&limit);
+  }
+  return axes;
+}
+
+/// Such an axis rather than any other direction.
+const HoldLimit& weakest_of(const HoldStudy& study, Disturbance kind) {
+  const std::vector<const HoldLimit*> axes = weak_axes(study, kind);
+  return axes.empty() ? study.weakest[static_cast<std::size_t>(kind)] : *axes.front();
+}
+
+/// "a force along x, -x or y": with the other axes that are as weak.
+std::string against_weakest(const HoldStudy& study, const HoldLimit& weakest) {
+  std::string text = against(weakest);
+  const std::vector<const HoldLimit*> axes = weak_axes(study, weakest.what.kind);
+  if (axes.empty() || axes.front() != &weakest) return text;
+  for (std::size_t k = 1; k < axes.size(); ++k)
+    text += (k + 1 == axes.size() ? " or " : ", ") + direction_text(axes[k]->what.direction);
+  return text;
+}
+
 /// The force or moment that is least, a moment over the length at which it acts.
 const HoldLimit* least_of(const SceneFile& file, const HoldStudy& study) {
   const double size = object_size(file) / 2;
@@ -65,12 +92,16 @@ const HoldLimit* least_of(const SceneFile& file, const HoldStudy& study) {
       smallest = force;
       least = &limit;
     };
-    look(study.weakest[static_cast<std::size_t>(kind)]);
+    look(weakest_of(study, kind));
     if (study.weakest[static_cast<std::size_t>(kind)].limit > 0) continue;
     for (const HoldLimit& limit : study.limits) // a direction that nothing resists says little
       if (limit.what.kind == kind) look(limit);
   }
   return least;
+}
+
+bool loads(const SceneFile& file) {
+  return !file.gravity.isZero(0) || !file.object.wrench.isZero(0);
 }
 
 std::string cell(double value, bool is_held) {
@@ -96,11 +127,13 @@ TableRows limit_rows(const HoldStudy& study) {
 /// "along (0, 0.6, 0.8): slides it along -z over left and right".
 std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
   std::string text;
-  for (const HoldLimit& limit : study.weakest) {
-    if (!(limit.limit < no_limit) || limit.what.kind == Disturbance::acceleration) continue;
+  for (const Disturbance kind : {Disturbance::force, Disturbance::moment}) {
+    const HoldLimit& limit = weakest_of(study, kind);
+    if (!(limit.limit < no_limit)) continue;
     if (!text.empty()) text += "\n";
-    text += limit.limit > 0 ? against(limit) + ", which " + give_way_words(file, limit.gives)
-                            : against(limit) + ", which nothing resists";
+    text += limit.limit > 0
+                ? against_weakest(study, limit) + ", which " + give_way_words(file, limit.gives)
+                : against(limit) + ", which nothing resists";
   }
   return text;
 }
@@ -170,7 +203,8 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
   if (!std::isnan(study.margin()))
     text += " with " + brief(study.margin()) + " times the grip it needs";
   else if (study.factor == 0 && study.grip.force > 0)
-    text += " without any grip force";
+    text += loads(file) ? " without any grip force"
+                        : " without any grip force, as nothing loads it (no gravity, no force)";
   else if (study.grip.force == 0)
     text += " where it rests";
   const HoldLimit* const least = study.limits.empty() ? nullptr : least_of(file, study);
@@ -181,7 +215,7 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
       beside = ", and the weakest else is ";
     }
   if (least == nullptr) return text + ".";
-  return text + beside + against(*least) + ": " + brief(least->limit) + " " +
+  return text + beside + against_weakest(study, *least) + ": " + brief(least->limit) + " " +
          units[static_cast<int>(least->what.kind)] + " " + give_way_words(file, least->gives) + ".";
 }
 

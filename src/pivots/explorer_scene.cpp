@@ -139,7 +139,7 @@ void write_marks(JsonWriter& json) {
   KeyItems key{{arrow("force normal"), "normal force"},
                {arrow("force friction"), "friction"},
                {arrow("motion"), "acceleration"},
-               {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction pyramid"}};
+               {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction cone"}};
   const Pixel origin(0, 0);
   json.key("marks").begin_object();
   for (const ModeWords& words : mode_words) {

@@ -185,9 +185,10 @@ std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
 std::string pivots_text(const PivotTrace& trace, Telling telling) {
   const bool has_tableaus = telling == Telling::full || trace.size <= most_rows;
   std::string text = header(trace);
-  text += has_tableaus ? legend(trace)
-                       : "The tableaus and the list of the unknowns are left out; -v shows them, "
-                         "--format html\na page.\n";
+  text += has_tableaus
+              ? legend(trace)
+              : "The tableaus and the list of the unknowns are left out: -v shows them, and\n"
+                "--format html writes a page.\n";
   std::size_t run = 0;
   for (std::size_t k = 0; k < trace.pivots.size(); ++k) {
     for (; run < trace.runs.size() && trace.runs[run].first_pivot == k; ++run)

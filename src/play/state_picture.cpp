@@ -261,7 +261,7 @@ std::string state_key() {
   const auto arrow = [&](const char* kind) { return small(arrow_element(kind, {2, 7}, {25, 7})); };
   KeyItems items{{arrow("force normal"), "normal force"},
                  {arrow("force friction"), "friction"},
-                 {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction pyramid"}};
+                 {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction cone"}};
   for (const auto& [mode, words] :
        {std::pair(Mode::stick, "sticks"), std::pair(Mode::slide, "slips"),
         std::pair(Mode::separate, "opens")})

@@ -21,7 +21,7 @@ std::string reason_of(const RawAnswer& answer) {
     reason = "Lemke ended on a secondary ray under " + counted(answer.covers, "covering vector");
   if (answer.status == Status::pivot_limit) reason = "the limit of pivots was reached";
   if (answer.search.starts > 0)
-    reason += ", and from " + std::to_string(answer.search.starts) + " other bases";
+    reason += ", and from " + std::to_string(answer.search.starts) + " other starts";
   if (answer.search.whole)
     reason += "; none of its complementary cones holds q: there is no solution";
   return reason;

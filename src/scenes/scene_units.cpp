@@ -40,10 +40,12 @@ constexpr Unit units[] = {
     {"deg", "rad"},
     {"deg", "degrees"},
     {"m/s", "m/s"},
+    {"cm/s", "m/s", -2},
     {"mm/s", "m/s", -3},
     {"rad/s", "rad/s"},
     {"deg/s", "rad/s"},
     {"m/s^2", "m/s^2"},
+    {"cm/s^2", "m/s^2", -2},
     {"mm/s^2", "m/s^2", -3},
     {"rad/s^2", "rad/s^2"},
     {"deg/s^2", "rad/s^2"},
@@ -152,11 +154,34 @@ public:
     if (auto* const list = std::get_if<TomlArray>(&value.data))
       for (std::size_t i = 0; i < list->size(); ++i) convert(entry_of(what, i), si, (*list)[i]);
     if (const auto* const text = std::get_if<std::string>(&value.data))
-      value =
-          converted(what + " = " + quoted(*text) + ": ", si, std::string(trimmed(*text)), value);
+      value = is_product(*text) ? product(what, si, *text, value)
+                                : converted(what + " = " + quoted(*text) + ": ", si,
+                                            std::string(trimmed(*text)), value);
   }
 
 private:
+  /// "80 mm x 40 mm x 20 mm"?
+  static bool is_product(std::string_view text) {
+    const std::vector<std::string_view> parts = split_at(text, 'x');
+    return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [](std::string_view part) {
+             return decimal_prefix(trimmed(part)).is_whole;
+           });
+  }
+  /// Its list; a unit at the end alone is that of all.
+  TomlValue product(const std::string& what, const std::vector<std::string>& si,
+                    const std::string& text, const TomlValue& as_text) const {
+    const std::string_view last = trimmed(split_at(text, 'x').back());
+    const std::string_view unit = last.substr(decimal_prefix(last).length);
+    TomlArray list;
+    for (const std::string_view part : split_at(text, 'x')) {
+      const std::string_view number = trimmed(part);
+      const bool is_bare = decimal_prefix(number).length == number.size();
+      list.push_back({as_text.line, std::string(number) + std::string(is_bare ? unit : "")});
+      convert(entry_of(what, list.size() - 1), si, list.back());
+    }
+    return {as_text.line, std::move(list)};
+  }
+
   TomlValue converted(const std::string& said, const std::vector<std::string>& si,
                       const std::string& text, const TomlValue& as_text) const {
     const SiNumber number = in_si(text, si);

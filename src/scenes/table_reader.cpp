@@ -174,11 +174,13 @@ const TomlArray& TableReader::as_list(const std::string& what, const TomlValue& 
     return *list;
   std::vector<std::string> allowed;
   for (const std::size_t length : lengths) allowed.push_back(std::to_string(length));
-  const std::string got = list ? "a list of " + std::to_string(list->size()) : described(value);
+  std::string got = list ? "a list of " + std::to_string(list->size()) : described(value);
+  if (list && list->size() > lengths.back()) got += "; a decimal number has a point, such as 0.3";
+  if (!list)
+    for (const Key& key : schema_)
+      if (key.name == what) got += std::string("; write ") + key.example;
   fail_at(value.line,
-          what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got +
-              (list && list->size() > lengths.back() ? "; a decimal number has a point, such as 0.3"
-                                                     : ""));
+          what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got);
 }
 
 std::vector<Index> TableReader::wholes(const std::string& key, std::size_t size, Index smallest,

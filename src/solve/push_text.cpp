@@ -98,6 +98,21 @@ std::string ray_text(const RunReport& report) {
   return text;
 }
 
+/// Where inertia at the speed of a pusher, taken as an acceleration, is a part of the push.
+std::string velocity_text(const SceneFile& file, const PushReport& report) {
+  double push = 0;
+  bool has_speed = false;
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    if (file.bodies[b].role != Role::pusher) continue;
+    has_speed = has_speed || file.strokes[b].is_velocity;
+    push += body_wrench(file.view(), report.answer, file.bodies[b]).head<3>().norm();
+  }
+  const double inertia = file.object.mass * report.answer.acceleration.head<3>().norm();
+  if (!has_speed || !(inertia > word_settings.inertia * push)) return "";
+  return "A pusher's velocity is taken as an acceleration here, from rest; for the push at that\n"
+         "speed ask lcpush move.\n";
+}
+
 } // namespace
 
 std::string title_line(const SceneFile& file) {
@@ -120,6 +135,7 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   if (!is_full && !is_solved) return text;
   if (!is_full && hold.status == Status::solved && !hold.holds && has_pusher(file))
     text += hold_sentence(file, hold) + "\n";
+  if (is_solved) text += velocity_text(file, report);
   text += "\n" + facts_text({hand_fact(file)});
   if (is_full) text += facts_text({hold_fact(file, hold)}) + facts_text(push_facts(file, report));
   if (!is_solved) return text + ray_text(report) + "\n" + run_line(file, report);

@@ -32,6 +32,9 @@ struct WordSettings {
   /// Of the referee's residual: so much larger a load stands out by one digit.
   double load_digits = 10;
 
+  /// Of the push: more inertia of a velocity that is taken as an acceleration is told.
+  double inertia = 1e-2;
+
   double places = 1e3;        ///< of unit vectors in sentences: three places after the point
   double least_remedy = 1e-3; ///< N/kg: what a jam's remedy presses with where nothing else does
 

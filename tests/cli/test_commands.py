@@ -67,6 +67,12 @@ class Commands(ToolTest):
         self.assertEqual(broken["status"], "ray")
         self.assertIn("normal of stop.1", [entry["name"] for entry in broken["ray"]])
 
+    def test_a_velocity_whose_inertia_tells_is_said_to_be_taken_as_an_acceleration(self):
+        for speed, is_told in ((0.01, False), (10, True)):
+            fast = re.sub(r"(?m)^acceleration = .*$", f"velocity = [{speed}, 0, 0]", SLIDE_TEXT)
+            said = run("solve", "-", text=fast).stdout
+            self.assertEqual("velocity is taken as an acceleration" in said, is_told, said)
+
     def test_a_push_too_slow_for_the_precision_is_not_called_solved(self):
         for speed in ("1e-10", "1e-12"):
             result = run("solve", self.scene(("acceleration = [0.1", f"acceleration = [{speed}")))

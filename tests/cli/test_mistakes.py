@@ -123,7 +123,7 @@ SCENES = [
     ("mass = 0.2\nmass = 0.3", "mass = 0.2", 5, "first given on line 4"),
     ("", "mass = 0.2", 3, 'missing key "mass"; add for example mass = 0.2  # kg'),
     ("[0, -9,81, 0]", "[0, -9.81, 0]", 1, "a decimal number has a point"),
-    ("gravity = 9.81", "gravity = [0, -9.81, 0]", 1, "gravity must be a list of 3 numbers, got 9.81"),
+    ("gravity = 9.81", "gravity = [0, -9.81, 0]", 1, "gravity must be a list of 3 numbers, got 9.81; write [0, -9.81, 0]"),
     ("friction = -0.3", "friction = 0.3", 33, "friction must be >= 0"),
     ("grip_force = -20 ", "grip_force = 20 ", 17, "grip_force must be > 0"),
     ("normal = [1, 0]", "normal = [1, 0, 0]", 32, "normal must be a list of 3 numbers"),

@@ -18,7 +18,8 @@ UNITS = [
     ("moment = [0, 0, 0.01]", 'moment = [0, 0, "10 N mm"]'),
     ("moment = [0, 0, 0.01]", 'moment = [0, 0, "0.01 N m"]'),
     ("ends = [[-0.04, -0.015, 0], [-0.04, 0.015, 0]]", 'ends = [["-40 mm", -0.015, 0], ["-4 cm", "15 mm", 0]]'),
-    ("velocity = [0.01, 0, 0]", 'velocity = ["10 mm/s", 0, "0 m/s"]'), ("until = 0.25", 'until = "250 ms"'),
+    ("velocity = [0.01, 0, 0]", 'velocity = ["10 mm/s", 0, "0 cm/s"]'),
+    ("box = [0.08, 0.04, 0.02]", 'box = "80 mm x 4 cm x 0.02 m"'), ("box = [0.08, 0.04, 0.02]", 'box = "80x40x20 mm"'), ("until = 0.25", 'until = "250 ms"'),
     ("until = 0.25", 'until = "0.25 s"'), ("angular_velocity = [0, 0, 0.5]", 'angular_velocity = [0, 0, "0.5 rad/s"]'),
 ]
 SCENE = (
@@ -39,6 +40,8 @@ REFUSED = [
     ('mass = "20 mm"', "mass = 0.12", 3, 'object: mass = "20 mm": a length; kg or g is meant'),
     ('box = ["8 cm", "40 g", 1]', "box = [0.08, 0.04, 0.02]", 4,
      'entry 2 of box = "40 g": a mass; m, cm, mm or um is meant'),
+    ('box = "80 mm x 40 g x 20 mm"', "box = [0.08, 0.04, 0.02]", 4, 'entry 2 of box = "40 g": a mass'),
+    ('box = "80 mm x 40 mm"', "box = [0.08, 0.04, 0.02]", 4, "box must be a list of 3 numbers, got a list of 2"),
     ('mass = "2 lb"', "mass = 0.12", 3, '"lb" is not read, 1 lb is 0.45359237 kg; kg or g is meant'),
     ('mass = "2 oz"', "mass = 0.12", 3, "1 oz is 28.349523125 g; kg or g"),
     ('radius = "2 in"', "radius = 0.005", 10, 'finger "2 mm": radius = "2 in": "in" is not read, 1 in is 25.4 mm'),
@@ -50,7 +53,7 @@ REFUSED = [
     ('moment = [0, 0, "1 N*m"]', "moment = [0, 0, 0.01]", 5, '"N*m" is unknown; N m or N mm is meant'),
     ('moment = [0, 0, "1 N"]', "moment = [0, 0, 0.01]", 5, "a force; N m or N mm is meant"),
     ('friction = "0.5 N"', "friction = 0.5", 12, "friction must be a number"),
-    ('velocity = ["10 mm/s^2", 0, 0]', "velocity = [0.01, 0, 0]", 27, "an acceleration; m/s or mm/s is meant"),
+    ('velocity = ["10 mm/s^2", 0, 0]', "velocity = [0.01, 0, 0]", 27, "an acceleration; m/s, cm/s or mm/s is meant"),
     ('angular_velocity = "30 deg/s"', "angular_velocity = [0, 0, 0.5]", 28, "must be a list of 3 numbers"),
     ("mass = 120g", "mass = 0.12", 3, 'a number with a unit is a text; write "120 g"'),
     ("mass = 120 g # so", "mass = 0.12", 3, 'write "120 g"'),
