@@ -25,17 +25,23 @@ if(Python3_FOUND)
                    ${CMAKE_COMMAND} ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR})
 endif()
 
-function(add_consumer_test name)
-  add_test(
-    NAME consumer.${name}
-    COMMAND
-      ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer
-      ${CMAKE_CURRENT_BINARY_DIR}/consumer/${name} --build-generator ${CMAKE_GENERATOR}
-      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} ${ARGN} --test-command ${CMAKE_CTEST_COMMAND}
-      --output-on-failure)
-endfunction()
-
-add_consumer_test(find_package -DCMAKE_PREFIX_PATH=${consumer_prefix})
+add_test(
+  NAME consumer.find_package
+  COMMAND
+    ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer
+    ${CMAKE_CURRENT_BINARY_DIR}/consumer/find_package --build-generator ${CMAKE_GENERATOR}
+    --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}
+    -DCMAKE_PREFIX_PATH=${consumer_prefix} --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure)
 set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installed_lcpush)
-add_consumer_test(add_subdirectory -DCONSUMER_LCPUSH_SOURCES=${PROJECT_SOURCE_DIR})
+
+if(Python3_FOUND AND CMAKE_GENERATOR STREQUAL "Ninja") # who tells what it would run
+  set(same_options "")
+  foreach(option IN ITEMS CMAKE_BUILD_TYPE CMAKE_CXX_COMPILER CMAKE_CXX_COMPILER_LAUNCHER LCPUSH_UNITY
+                          LCPUSH_WARNINGS_AS_ERRORS)
+    list(APPEND same_options -D${option}=${${option}})
+  endforeach()
+  add_test(NAME consumer.add_subdirectory
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test_add_subdirectory.py
+                   ${CMAKE_COMMAND} ${CMAKE_MAKE_PROGRAM} ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}
+                   ${CMAKE_CURRENT_BINARY_DIR}/consumer/add_subdirectory ${same_options})
+endif()
