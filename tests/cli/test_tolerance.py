@@ -4,6 +4,7 @@
 import itertools
 import json
 import math
+import operator
 import random
 import sys
 
@@ -37,6 +38,8 @@ class Push:
         for name in self.fingers:
             self.middle.update({f"{name}.friction": round(u(0.2, 0.8), 2), f"{name}.grip_force": grip})
         self.twist = [round(self.n[0] + u(-0.4, 0.4), 3), round(self.n[1] + u(-0.4, 0.4), 3), round(u(-15, 15), 2)]
+        self.slips = {name: [sum(part) / len(points) for part in zip(*(self.slip_wrench(*p) for p in points))]
+                      for name, points in self.fingers.items()}
 
     def text(self):
         m, text = self.middle, "planar = true\n" + (f"facets = {self.facets}\n" if self.facets else "")
@@ -50,32 +53,31 @@ class Push:
         return text + (f'[[pusher]]\nname = "wall"\nshape = "line"\nends = {ends}\npoints = 2\nnormal = [{self.n[0]}, {self.n[1]}, 0]\n'
                        f"friction = {m['wall.friction']}\nvelocity = [{self.n[0]}, {self.n[1]}, 0]\n")
 
-    def slip_force(self, x, y):
+    def slip_wrench(self, x, y):
+        """Of a point at (x, y) under friction of one newton."""
         vx, vy = self.twist[0] - self.twist[2] * y, self.twist[1] + self.twist[2] * x
-        if not self.facets:
-            return vx / math.hypot(vx, vy), vy / math.hypot(vx, vy)
-        angles = [2 * math.pi * k / self.facets for k in range(self.facets)]
-        return max(((math.cos(a), math.sin(a)) for a in angles), key=lambda d: d[0] * vx + d[1] * vy)
+        angles = [2 * math.pi * k / self.facets for k in range(self.facets)] if self.facets else [math.atan2(vy, vx)]
+        fx, fy = max(((math.cos(a), math.sin(a)) for a in angles), key=lambda d: d[0] * vx + d[1] * vy)
+        return fx, fy, x * fy - y * fx
 
     def sticks(self, at):
         """Is what the pusher has to exert a sum of its points' extreme forces? By every three of them. None: on the verge."""
-        w = [-at["object.force[0]"], -at["object.mass"] * at["gravity[1]"], 0]
-        for name, points in self.fingers.items():
-            limit = at[f"{name}.friction"] * at[f"{name}.grip_force"] / len(points)
-            for x, y in points:
-                fx, fy = self.slip_force(x, y)
-                w = [w[0] + limit * fx, w[1] + limit * fy, w[2] + limit * (x * fy - y * fx)]
-        rays = []
-        for (x, y), side in itertools.product(self.places, (1, -1)):
-            fx = self.n[0] - side * at["wall.friction"] * self.n[1]
-            fy = self.n[1] + side * at["wall.friction"] * self.n[0]
-            rays.append((fx, fy, (x * fy - y * fx)))
-        det = lambda a, b, c: (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-                               + a[2] * (b[0] * c[1] - b[1] * c[0]))
+        wx, wy, wz = -at["object.force[0]"], -at["object.mass"] * at["gravity[1]"], 0
+        for name, (fx, fy, turn) in self.slips.items():
+            limit = at[f"{name}.friction"] * at[f"{name}.grip_force"]
+            wx, wy, wz = wx + limit * fx, wy + limit * fy, wz + limit * turn
+        (nx, ny), mu, rays = self.n, at["wall.friction"], []
+        for (x, y), side in itertools.product(self.places, (mu, -mu)):
+            fx, fy = nx - side * ny, ny + side * nx
+            rays.append((fx, fy, x * fy - y * fx))
+        across = {(i, j): (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+                  for (i, a), (j, b) in itertools.combinations(enumerate(rays), 2)}
+        along = {pair: wx * x + wy * y + wz * z for pair, (x, y, z) in across.items()}
         best = -math.inf
-        for a, b, c in itertools.combinations(rays, 3):
-            if abs(det(a, b, c)) > 1e-12:
-                best = max(best, min(det(w, b, c), det(a, w, c), det(a, b, w), key=lambda t: t / det(a, b, c)) / det(a, b, c))
+        for i, j, k in itertools.combinations(range(4), 3):
+            volume = sum(map(operator.mul, rays[i], across[j, k]))
+            if abs(volume) > 1e-12:
+                best = max(best, min(along[j, k] / volume, -along[i, k] / volume, along[i, j] / volume))
         return None if abs(best) < 1e-9 else best > 0
 
 
