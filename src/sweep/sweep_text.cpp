@@ -165,9 +165,9 @@ std::string sweep_text(const std::vector<SweepCurve>& curves, Telling telling) {
   }
   if (!is_full && !is_one)
     text += "\n" + curves_table(curves) + "(All values: -v, or --format csv.)\n";
-  text += "\nbreak: the force at which the object starts to move, the pusher's normal\n"
-          "force, as in `lcpush break`; push: its whole force, friction included, for the motion\n"
-          "as prescribed, as in `lcpush solve`.";
+  text += "\nbreak: the force at which the object starts to move, the pusher's normal force, as in "
+          "`lcpush break`; push: its whole force, friction included, for the motion as prescribed, "
+          "as in `lcpush solve`.";
   return text + (is_full ? " Every answer has been checked apart from the solver.\n" : "\n");
 }
 
