@@ -78,32 +78,29 @@ private:
     LemkeOptions<S> options;
     options.first_cover = attempt * options.covers;
     options.exchanges = exchanges_of(size_of(*this->scene_)); // whatever the memory is for
-    options.max_pivots = CSettings::most_pivots(this->assembly_.layout().size);
+    options.max_pivots = (attempt + 1) * CSettings::most_pivots(this->assembly_.layout().size);
     return options;
   }
 
   /// A first attempt begins at the modes that one expects, if it does not go on from the last
   /// command's, and is content with what the check lets pass; later ones take other covering
   /// vectors and slower pads, the last is exact to rounding. `refines`: what lets float find an
-  /// answer at all leaves some of it, so that one that passes barely is kept, and a tighter one
-  /// sought from its basis and pressure. Pre: the push stands at its pace (sigma 1); rounds make
-  /// normal rows anew.
+  /// answer at all leaves some of it, so that one that took pivots and passes barely is kept, and a
+  /// tighter one sought from its basis and pressure, until that is lost. Pre: the push stands at
+  /// its pace (sigma 1); rounds make normal rows anew.
   [[gnu::noinline]] void begin(int attempt, bool refines = false) {
     const bool goes_on = this->goes_on_ && !refines_ && attempt == 0;
     attempt_ = attempt;
     refines_ = refines;
     LemkeOptions<S> options = this->options(attempt);
     PressureOptions<S> pads;
-    pads.slowest = S(0); // the next attempt's other vectors and slower pads are cheaper
-    LastStep* first = &this->last_;
+    // A lost round ends the first attempt: the next one's other covering vectors are cheaper.
+    if (attempt == 0) pads.slowest = S(0);
     if (refines) {
-      found_ = {this->work_.pressure.active, true, Guess::basis};
-      first = &found_;
+      take_over(pads);
       options.covers = 1;
       options.max_pivots = CSettings::refining_pivots(this->assembly_.layout().size);
-      pads.keeps_cones = pads.goes_on = true;
-      pads.first_compliance = solve_.get()->compliance() * pads.factor;
-      pads.max_pivots = 2 * options.max_pivots;
+      pads.first_compliance *= pads.factor;
       pads.fine_rounds = CSettings::fine_rounds;
       pads.finest = barely();
     } else {
@@ -118,8 +115,8 @@ private:
     }
     this->goes_on_ = false;
     PivotSolve& solve =
-        solve_.make(this->assembly_, Pivots(lemke_, *first, options), this->work_.pressure, pads,
-                    this->work_.friction_memory(*this->scene_));
+        solve_.make(this->assembly_, Pivots(lemke_, this->last_, options), this->work_.pressure,
+                    pads, this->work_.friction_memory(*this->scene_));
     this->status_ = solve.init();
   }
   static S barely() { return Tolerances<S>().residual / S(LemkeSettings::barely); }
@@ -131,8 +128,8 @@ private:
     this->last_.guess = Guess::near;
   }
 
-  /// Where a command has ended the solve before: its pivots still serve, and its pads' rounds, with
-  /// the pressure and the compliance that they have come to.
+  /// Where the solve before has ended, or a command has ended it: its pivots still serve, and its
+  /// pads' rounds, with the pressure and the compliance that they have come to.
   void take_over(PressureOptions<S>& pads) {
     for (Index i = 0; i < this->assembly_.layout().size; ++i)
       this->last_.active[i] = lemke_.is_basic(i) ? 1 : 0;
@@ -151,6 +148,7 @@ private:
 
   Status end_refining() {
     refines_ = false;
+    this->last_.guess = Guess::basis;
     return this->conclude_tighter();
   }
 
@@ -171,15 +169,16 @@ private:
         break;
       }
       status = solve_.get()->step();
-      if (status == Status::running) continue;
+      const bool is_lost = refines_ && solve_.get()->run().cold_restarts > 0;
+      if (status == Status::running && !is_lost) continue;
       note(0);
       if (refines_) return end_refining();
       const bool failed =
           this->conclude() == Status::numerical_breakdown || status == Status::pivot_limit;
       if (status == Status::solved) {
         this->last_.guess = Guess::basis;
-        if (!(this->residual_ > barely())) return status;
         pivots_ = this->run_.pivots;
+        if (pivots_ == 0 || !(this->residual_ > barely())) return status;
         begin(attempt_, true);
         continue;
       }
