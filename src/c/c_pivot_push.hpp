@@ -15,16 +15,16 @@ constexpr Index exchanges_of(const AssemblySize& size) {
 
 /// The numbers of a solve by pivots on a device.
 struct CSettings {
-  /// Of a solve, each under the next covering vectors and with slower pads: 100,000 of 100,000
-  /// random grasps are solved in float. Fewer are not measured.
+  /// Of a solve, each under the next covering vectors, with slower pads and more pivots: so 6,000
+  /// of 6,000 random grasps are solved in float (docs/embed/tables.md). Fewer are not measured.
   static constexpr int attempts = 3;
   /// Under one covering vector: what takes more goes astray. Of 23,000 that led to an answer three
   /// in ten thousand took more.
   static constexpr Index most_pivots(Index n) { return 50 + 2 * n; }
   /// Rounds of pads that have settled: each leaves a third of what they violate.
   static constexpr Index fine_rounds = 4;
-  /// A tighter answer is a few pivots away or cannot be had in this precision.
-  static constexpr Index refining_pivots(Index n) { return n / 2 + 16; }
+  /// Of those pivots: a tighter answer is a few away, or cannot be had in this precision.
+  static constexpr Index refining_part = 4;
 };
 
 /// `Push`: lcpush_push or lcpushf_push.
@@ -60,7 +60,7 @@ private:
   SmallLemke<S> lemke_;
   InPlace<PivotSolve> solve_;
   static constexpr int attempts = CSettings::attempts;
-  int attempt_ = 0;
+  short attempt_ = 0;
   bool refines_ = false;
   LastStep found_{};  // where refining begins
   Index pivots_ = 0;  // of the attempts before
@@ -90,7 +90,7 @@ private:
   /// its pace (sigma 1); rounds make normal rows anew.
   [[gnu::noinline]] void begin(int attempt, bool refines = false) {
     const bool goes_on = this->goes_on_ && !refines_ && attempt == 0;
-    attempt_ = attempt;
+    attempt_ = static_cast<short>(attempt);
     refines_ = refines;
     LemkeOptions<S> options = this->options(attempt);
     PressureOptions<S> pads;
@@ -99,8 +99,7 @@ private:
     if (refines) {
       take_over(pads);
       options.covers = 1;
-      options.max_pivots = CSettings::refining_pivots(this->assembly_.layout().size);
-      pads.first_compliance *= pads.factor;
+      options.max_pivots /= CSettings::refining_part;
       pads.fine_rounds = CSettings::fine_rounds;
       pads.finest = barely();
     } else {

@@ -6,7 +6,7 @@
  * aligned by 16, and of 64 bits. */
 #define LCPUSH_GAP_(real) (8 * (LCPUSH_WORD_ - 4) + 4 * (sizeof(real) - 4))
 /* A push itself with its scene, a body, a drive, a contact's assembly, and its answer. */
-#define LCPUSH_STATE_BYTES_(real) (342 * LCPUSH_WORD_ + 164 * sizeof(real) + 3 * LCPUSH_GAP_(real))
+#define LCPUSH_STATE_BYTES_(real) (342 * LCPUSH_WORD_ + 164 * sizeof(real) + 4 * LCPUSH_GAP_(real))
 #define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_POINT_BYTES_(real) (18 * sizeof(real) + 5 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
