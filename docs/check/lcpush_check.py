@@ -8,8 +8,8 @@ SAYS = {"answer": "These numbers solve every law of the problem without any erro
         "cannot_hold": "No forces inside the friction cones balance the load: this motion gains more than they take.",
         "no_answer": "These weights add the rows up to a contradiction: no z >= 0 makes every w >= 0."}
 UNITS = {name: F(10)**power for power, names in {
-    3: "kN", 0: "kg,m,N,N m,s,rad,m/s,rad/s,m/s^2,rad/s^2,kg m^2", -2: "cm", -3: "g,mm,mN,N mm,ms,mm/s,mm/s^2", -6: "um",
-    }.items() for name in names.split(",")} | {name: F(PI, 180 * UNIT) for name in ("deg", "deg/s", "deg/s^2")}
+    3: "kN", 0: "kg,m,N,N m,s,rad,m/s,rad/s,m/s^2,rad/s^2,kg m^2", -2: "cm,cm/s,cm/s^2", -3: "g,mm,mN,N mm,ms,mm/s,mm/s^2",
+    -6: "um"}.items() for name in names.split(",")} | {name: F(PI, 180 * UNIT) for name in ("deg", "deg/s", "deg/s^2")}
 def require(truth, why):
     if not truth: raise ValueError(why)
 def dot(a, b): return sum((x * y for x, y in zip(a, b) if x and y), F(0))
@@ -53,13 +53,13 @@ def patch(body, t, o):  # its points
         points += [add(add(c, t, r * x), o, r * y)
                    for x, y in (circle(F(2*j + rings - 1 - i, 2*count)) for j in range(count))]
     return points
-
 def si(value):  # "120 g" is 3/25
     if isinstance(value, dict): return {k: v if k in ("name", "title", "bodies") else si(v) for k, v in value.items()}
+    if isinstance(value, str) and re.fullmatch(r"\s*\d[^x]*(x\s*\d[^x]*)+", value):  # "80 x 40 x 20 mm"
+        value = [v if re.search("[a-df-z]", v) else v + re.search(r"\s*[a-z]*$", value)[0] for v in value.split("x")]
     if isinstance(value, list): return [si(v) for v in value]
     parts = isinstance(value, str) and re.fullmatch(r"\s*\+?(-?\d[\d.]*(?:[eE][+-]?\d+)?)\s*(\D.*?)\s*", value)
     return F(parts[1]) * UNITS[parts[2]] if parts and parts[2] in UNITS else value
-
 def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face, along = "y"
     axis, sign = "xyz".index(body["on"][1]), F(body["on"][0] + "1")
     offset = list(body.get("center", (0, 0)))
