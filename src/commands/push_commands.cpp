@@ -64,7 +64,7 @@ Result run_solve(const Values& values, Listener& listener) {
   const std::optional<BoxAnswer> box = judged_box(values, file);
   const auto asked = std::make_shared<AskedPush>(std::move(file), solver, listener);
   asked->options.record_history = values.has("history");
-  asked->options.study_commands = values.has("sensitivity");
+  if (values.has("sensitivity")) asked->options.study_commands = &find_sensitivity;
   const HoldReport hold = asked->push.holds_without_push(asked->options);
   const auto report = std::make_shared<PushReport>(asked->push.solve(asked->options));
   std::string text = values.has("history")

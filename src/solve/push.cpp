@@ -306,7 +306,8 @@ PushReport Push::solve(const PushOptions& options) & {
   const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
   const std::vector<LinearizedCone<double>> cones(work_.round_cones.begin(),
                                                   work_.round_cones.end());
-  if (options.study_commands) report.sensitivity = find_sensitivity(file_, assembly_, work_);
+  if (options.study_commands != nullptr)
+    report.sensitivity = options.study_commands(file_, assembly_, work_);
   search_others(options, report);
   std::copy(cones.begin(), cones.end(), work_.round_cones.begin());
   assembly_.assemble(scene_);

@@ -38,7 +38,7 @@ class Guide(unittest.TestCase):
                           "x = 12.50 mm", "of mine.toml: pusher \"wall\": friction must be >= 0"):
                 self.assertIn(words, slide)
             check = run(SOURCE / "docs/guide/python_check.py", folder=folder)
-            for words in ("z = [1.3333, 2.3333]", "balance of moments", "unknowns: normal of left.1"):
+            for words in ("z = [1.3333, 2.3333]", "0.001 m/s^2 (1 %) too much", "unknowns: normal of left.1"):
                 self.assertIn(words, check)
             sweep = run(SOURCE / "docs/guide/python_sweep.py", "plot.png", folder=folder)
             self.assertIn("30.000 N  breaks at  30.000 N", sweep)

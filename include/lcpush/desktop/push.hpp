@@ -24,13 +24,14 @@ struct PushOptions {
   Solver solver = Solver::lemke;
   LemkeOptions<double> lemke{};
   SweepOptions<double> sweeps = strict_sweeps();
-  bool record_history = false;  ///< RunReport::history; costs a check of the laws each time
-  Index other_covers = 3;       ///< covers tried in search of another answer
-  Index max_pivots = 0;         ///< of all proximal iterations together; 0: the solver's limits
-  bool explain_jams = true;     ///< solve again with each change that might free a jam
-  bool dense = false;           ///< pivots on the whole dictionary, whatever the size
-  bool study_existence = true;  ///< ask the existence lemma's conditions: two linear programs
-  bool study_commands = false;  ///< PushReport::sensitivity
+  bool record_history = false; ///< RunReport::history; costs a check of the laws each time
+  Index other_covers = 3;      ///< covers tried in search of another answer
+  Index max_pivots = 0;        ///< of all proximal iterations together; 0: the solver's limits
+  bool explain_jams = true;    ///< solve again with each change that might free a jam
+  bool dense = false;          ///< pivots on the whole dictionary, whatever the size
+  bool study_existence = true; ///< ask the existence lemma's conditions: two linear programs
+  /// For PushReport::sensitivity: find_sensitivity. A page that never asks does not carry it.
+  decltype(&find_sensitivity) study_commands = nullptr;
   Watcher* watcher = nullptr;   ///< told of all pivots and sweeps of the answer
   Watcher* searching = nullptr; ///< told of those of the search for other answers
 };
