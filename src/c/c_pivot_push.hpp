@@ -13,20 +13,6 @@ constexpr Index exchanges_of(const AssemblySize& size) {
   return size.points + size.pulls + 2 * size.actuators + 10;
 }
 
-/// The numbers of a solve by pivots on a device.
-struct CSettings {
-  /// Of a solve, each under the next covering vectors, with slower pads and more pivots: so 6,000
-  /// of 6,000 random grasps are solved in float (docs/embed/tables.md). Fewer are not measured.
-  static constexpr int attempts = 3;
-  /// Under one covering vector: what takes more goes astray. Of 23,000 that led to an answer three
-  /// in ten thousand took more.
-  static constexpr Index most_pivots(Index n) { return 50 + 2 * n; }
-  /// Rounds of pads that have settled: each leaves a third of what they violate.
-  static constexpr Index fine_rounds = 4;
-  /// Of those pivots: a tighter answer is a few away, or cannot be had in this precision.
-  static constexpr Index refining_part = 4;
-};
-
 /// `Push`: lcpush_push or lcpushf_push.
 template <class Push> class CPivotPush : public Push {
 public:
@@ -59,10 +45,8 @@ private:
 
   SmallLemke<S> lemke_;
   InPlace<PivotSolve> solve_;
-  static constexpr int attempts = CSettings::attempts;
-  short attempt_ = 0;
-  bool refines_ = false;
-  LastStep found_{};  // where refining begins
+  static constexpr int attempts = 3;
+  int attempt_ = 0;
   Index pivots_ = 0;  // of the attempts before
   Index allowed_ = 0; // until the solve is interrupted
 
@@ -77,48 +61,33 @@ private:
   LemkeOptions<S> options(int attempt) const {
     LemkeOptions<S> options;
     options.first_cover = attempt * options.covers;
-    options.exchanges = exchanges_of(size_of(*this->scene_)); // whatever the memory is for
-    options.max_pivots = (attempt + 1) * CSettings::most_pivots(this->assembly_.layout().size);
+    options.exchanges = exchanges_of(size_of(*this->scene_));     // whatever the memory is for
+    options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
     return options;
   }
 
   /// A first attempt begins at the modes that one expects, if it does not go on from the last
   /// command's, and is content with what the check lets pass; later ones take other covering
-  /// vectors and slower pads, the last is exact to rounding. `refines`: what lets float find an
-  /// answer at all leaves some of it, so that one that took pivots and passes barely is kept, and a
-  /// tighter one sought from its basis and pressure, until that is lost. Pre: the push stands at
-  /// its pace (sigma 1); rounds make normal rows anew.
-  [[gnu::noinline]] void begin(int attempt, bool refines = false) {
-    const bool goes_on = this->goes_on_ && !refines_ && attempt == 0;
-    attempt_ = static_cast<short>(attempt);
-    refines_ = refines;
+  /// vectors and slower pads, the last is exact to rounding. Pre: the push stands at its pace
+  /// (sigma 1); rounds make normal rows anew.
+  void begin(int attempt) {
+    attempt_ = attempt;
     LemkeOptions<S> options = this->options(attempt);
     PressureOptions<S> pads;
-    // A lost round ends the first attempt: the next one's other covering vectors are cheaper.
-    if (attempt == 0) pads.slowest = S(0);
-    if (refines) {
+    if (attempt + 1 < attempts) options.tolerances.finish = options.tolerances.residual / S(8);
+    for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
+    if (attempt > 0)
+      this->last_.known = false;
+    else if (this->goes_on_)
       take_over(pads);
-      options.covers = 1;
-      options.max_pivots /= CSettings::refining_part;
-      pads.fine_rounds = CSettings::fine_rounds;
-      pads.finest = barely();
-    } else {
-      if (attempt + 1 < attempts) options.tolerances.finish = options.tolerances.residual / S(8);
-      for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
-      if (goes_on)
-        take_over(pads);
-      else if (attempt > 0)
-        this->last_.known = false;
-      else if (!this->last_.known || this->last_.guess != Guess::basis)
-        predict();
-    }
+    else if (!this->last_.known || this->last_.guess != Guess::basis)
+      predict();
     this->goes_on_ = false;
     PivotSolve& solve =
         solve_.make(this->assembly_, Pivots(lemke_, this->last_, options), this->work_.pressure,
                     pads, this->work_.friction_memory(*this->scene_));
     this->status_ = solve.init();
   }
-  static S barely() { return Tolerances<S>().residual / S(LemkeSettings::barely); }
 
   /// The modes that one expects, marked by Guess::near until they have led to an answer.
   void predict() {
@@ -127,8 +96,8 @@ private:
     this->last_.guess = Guess::near;
   }
 
-  /// Where the solve before has ended, or a command has ended it: its pivots still serve, and its
-  /// pads' rounds, with the pressure and the compliance that they have come to.
+  /// Where a command has ended the solve before: its pivots still serve, and its pads' rounds, with
+  /// the pressure and the compliance that they have come to.
   void take_over(PressureOptions<S>& pads) {
     for (Index i = 0; i < this->assembly_.layout().size; ++i)
       this->last_.active[i] = lemke_.is_basic(i) ? 1 : 0;
@@ -145,12 +114,6 @@ private:
     this->run_.pivots += pivots_ + pivots;
   }
 
-  Status end_refining() {
-    refines_ = false;
-    this->last_.guess = Guess::basis;
-    return this->conclude_tighter();
-  }
-
   Status pivot(int pivots) {
     Status& status = this->status_;
     if (!this->begun_) {
@@ -162,25 +125,16 @@ private:
     this->is_interrupted_ = false;
     for (int k = 0; k < pivots && status == Status::running; ++k) {
       if (this->limit_ > 0 && pivots_ + solve_.get()->run().pivots + lemke_.pivots() >= allowed_) {
-        if (refines_) return end_refining();
         this->is_interrupted_ = true;
         status = Status::pivot_limit;
         break;
       }
       status = solve_.get()->step();
-      const bool is_lost = refines_ && solve_.get()->run().cold_restarts > 0;
-      if (status == Status::running && !is_lost) continue;
+      if (status == Status::running) continue;
       note(0);
-      if (refines_) return end_refining();
       const bool failed =
           this->conclude() == Status::numerical_breakdown || status == Status::pivot_limit;
-      if (status == Status::solved) {
-        this->last_.guess = Guess::basis;
-        pivots_ = this->run_.pivots;
-        if (pivots_ == 0 || !(this->residual_ > barely())) return status;
-        begin(attempt_, true);
-        continue;
-      }
+      if (status == Status::solved) this->last_.guess = Guess::basis;
       if (!failed || attempt_ + 1 == attempts) return status;
       pivots_ = this->run_.pivots;
       begin(attempt_ + 1);
