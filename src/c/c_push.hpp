@@ -286,25 +286,11 @@ protected:
   /// What the solver calls solved is read, and the laws are asked as well.
   Status conclude() {
     if (status_ != Status::solved) return status_;
-    residual_ = read_and_check();
+    read_answer(assembly_, work_.pressure.z.data, work_.answer, S(1));
+    residual_ = check(*scene_, assembly_.layout().scales, work_.answer, S(1)).max();
     if (!(residual_ <= Tolerances<S>().residual)) return status_ = Status::numerical_breakdown;
     keep();
     return status_;
-  }
-  /// The kept answer, or the solver's where it is tighter: solved in either case.
-  Status conclude_tighter() {
-    if (status_ == Status::solved) {
-      const S tighter = read_and_check();
-      if (tighter < residual_) {
-        residual_ = tighter;
-        keep();
-      }
-    }
-    return status_ = Status::solved;
-  }
-  S read_and_check() {
-    read_answer(assembly_, work_.pressure.z.data, work_.answer, S(1));
-    return check(*scene_, assembly_.layout().scales, work_.answer, S(1)).max();
   }
   void keep() {
     const Answer<S>& found = work_.answer;
