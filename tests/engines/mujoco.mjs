@@ -1,6 +1,6 @@
 // MuJoCo for `score.py --engine`: the scene as `lcpush export --format mjcf` writes it.
 //   LCPUSH=build/release/lcpush node tests/engines/mujoco.mjs [step=S] [noslip=N] [timeconst=S] SCENE SECONDS
-// step, s (1e-4); noslip iterations (0); time constant of contacts, s (MuJoCo's: 0.02).
+// step, s (5e-5); noslip iterations (0); time constant of contacts, s (MuJoCo's: 0.02).
 // npm install mujoco-js where node finds it (NODE_MODULES names the folder). Prints the motion as CSV.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -11,7 +11,7 @@ import { pathToFileURL } from "node:url";
 
 const words = process.argv.slice(2);
 const [scene, seconds] = words.slice(-2);
-const { step = "1e-4", noslip = "0", timeconst } = Object.fromEntries(words.slice(0, -2).map((word) => word.split("=")));
+const { step = "5e-5", noslip = "0", timeconst } = Object.fromEntries(words.slice(0, -2).map((word) => word.split("=")));
 const frames = 400;
 const folder = mkdtempSync(join(tmpdir(), "mujoco-"));
 let xml;
@@ -39,6 +39,7 @@ mujoco.mj_forward(model, data);
 console.log("time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
 let spent = 0;
 for (let frame = 0; frame <= frames; ++frame) {
+  mujoco.mj_forward(model, data); // a step leaves the sensors where it began
   console.log([data.time, ...data.sensordata].join(","));
   const start = performance.now();
   for (let k = 0; k < steps; ++k) mujoco.mj_step(model, data);
