@@ -165,6 +165,7 @@ void AnswerCompleter::find_forces() {
   for (Index i = 0; i < layout_.points; ++i)
     if (!(answer_.contacts[i].slip > least())) sticking.push_back(i);
   Eigen::VectorXd x;
+  double left = -1; // after the round before
   for (int round = 0;; ++round) {
     const auto count = static_cast<Index>(forces.size());
     Eigen::MatrixXd A =
@@ -174,9 +175,12 @@ void AnswerCompleter::find_forces() {
       A(force_rows() + sticking[k], count + static_cast<Index>(k)) = -1;
     x = fitting(weights.asDiagonal() * A, weights.cwiseProduct(b), forces);
     const Eigen::VectorXd off = A * x - b;
+    const double now = weights.cwiseProduct(off).norm();
     if (!file_.is_round || round == Settings::cone_rounds ||
-        off.cwiseAbs().maxCoeff() <= Settings::fits * tolerance_)
+        off.cwiseAbs().maxCoeff() <= Settings::fits * tolerance_ ||
+        (round > 0 && now >= (1 - Settings::cone_gain) * left))
       break;
+    left = now;
     for (const Index i : sticking)
       if (const auto more = steepest(i, weights.cwiseAbs2().cwiseProduct(off)))
         forces.push_back(*more);

@@ -18,7 +18,9 @@ struct VerifySettings {
   static constexpr double moves[] = {1e-4, 1e-2, 1};
   static constexpr int cone_rounds = 30; ///< of fits, each with a generator more a point: 15 were
                                          ///< the most that the shipped scenes took
-  static constexpr double fits = 1e-3;   ///< of the tolerance: so well forces are fitted
+  static constexpr double cone_gain = 1e-6; ///< of what is left: a round that takes off less is the
+                                            ///< last, for the forces that are wrong stay so
+  static constexpr double fits = 1e-3;      ///< of the tolerance: so well forces are fitted
   static constexpr double laws_first = 1e4; ///< weight of laws beside given sums: what these are
                                             ///< off by leaves 1e-8 of it in the laws
   static constexpr double own_first = 10;   ///< the error beside lcpush's own motion is told unless
