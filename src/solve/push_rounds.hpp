@@ -105,9 +105,8 @@ inline PushOptions by_other_cover(const PushOptions& options, Index k, Index unk
   other.record_history = false;
   other.watcher = options.searching;
   other.lemke.first_cover += k * other.lemke.covers;
-  other.max_pivots =
+  other.max_pivots = other.lemke.max_pivots =
       std::max<Index>(1, limits::unknowns_pivoted_in_search / (unknowns * options.other_covers));
-  if (unknowns >= SolveSettings().wide) other.lemke.max_pivots = other.max_pivots;
   return other;
 }
 

@@ -30,9 +30,9 @@ constexpr double bytes_a_sample = 2400, bytes_a_sampled_point = 40; // of a swee
 constexpr Index unknowns_dense = 600; // pivots on the whole dictionary, where structured ones fail
 constexpr Index unknowns_searched = 2000; // other answers, each as long as the first: three
                                           // covers
-constexpr Index unknowns_pivoted_in_search = 20'000'000; // pivots, each of so many: about 0.5 s
-constexpr Index scalars_existence = 50'000'000;          // 400 MB: hundreds of actuators that drag
-constexpr Index unknowns_holding = 2000;                 // every factor that is asked is a push
+constexpr Index unknowns_pivoted_in_search = 8'000'000; // pivots, each of so many: about 0.5 s
+constexpr Index scalars_existence = 50'000'000;         // 400 MB: hundreds of actuators that drag
+constexpr Index unknowns_holding = 2000;                // every factor that is asked is a push
 constexpr Index unknowns_grip = 600;       // every factor that is asked costs several pushes
 constexpr Index unknowns_remedied = 1000;  // a solve for each change that might free a jam
 constexpr Index unknowns_spread = 2000;    // hundreds of linear programs

@@ -46,3 +46,43 @@ TEST_CASE("[T.10] where one force breaks the grasp other covers know no other") 
     CHECK(report.others.empty());
   }
 }
+
+TEST_CASE("[T.10] pads under round friction go on from push to push: a break takes few rounds") {
+  // A box is pushed against its weight's direction: the wall bears the weight, the pads slide.
+  const double mu = 0.764, F = 7.366;
+  const desktop::SceneFile file = desktop::parse_scene(R"(
+gravity = [0, -9.81, 0]
+[object]
+mass = 0.088
+box = ["66 mm", "36.6 mm", "112.5 mm"]
+[[finger]]
+name = "left"
+shape = "disc"
+on = "+z"
+radius = "3.6 mm"
+friction = 0.764
+grip_force = 7.366
+points = 12
+[[finger]]
+name = "right"
+shape = "disc"
+on = "-z"
+radius = "3.6 mm"
+friction = 0.764
+grip_force = 7.366
+points = 12
+[[pusher]]
+name = "wall"
+shape = "line"
+on = "+x"
+along = "y"
+length = "53 mm"
+friction = 0.8
+velocity = [-0.01, 0, 0]
+)",
+                                                       "test.toml");
+  const desktop::BreakReport report = broken(file, "wall");
+  REQUIRE(report.status == Status::solved);
+  CHECK(report.breaking.break_force == doctest::Approx(2 * mu * F).epsilon(1e-6));
+  CHECK(report.run.rounds < 20); // each push from nothing: over a hundred
+}

@@ -126,6 +126,13 @@ Status break_exactly(Assembly<S>& assembly, Rounds& rounds, Workspace<S>& work,
                        breaking, run);
 }
 
+/// Round friction's linearization where everything moves so many times as slowly.
+template <class S> void slow_down(LinearizedCone<S>& cone, const S& times) {
+  cone.slip /= times;
+  cone.body_motion /= times;
+  cone.inertia *= times;
+}
+
 /// What one small push does.
 template <class S> struct SmallPush {
   S sigma, normal, compliance;
@@ -231,13 +238,14 @@ private:
     }
     const int at = Eigen::numext::mini(k, 2);
     SmallPush<S>& push = push_[at];
-    if (at > 0 && rounds_.goes_on() && go_on(size, push_[at - 1].compliance, push, run))
-      return Status::solved;
+    const bool is_round = has_round_friction(assembly_.scene());
+    const bool goes_on = at > 0 && (is_round || rounds_.goes_on());
+    if (goes_on && go_on(size, push_[at - 1].compliance, push, run)) return Status::solved;
     // Pads that yield more than a slow push moves would turn every slip away from what was
     // predicted; round friction's pyramids turn with the slips, but for the slowest.
     const BreakingSettings<S> settings;
     PressureOptions<S> options = options_;
-    const bool is_slow = k > 2 || !has_round_friction(assembly_.scene());
+    const bool is_slow = k > 2 || !is_round;
     if (rounds_.goes_on() && is_slow && size < settings.first_push)
       options.first_compliance *= size / settings.first_push;
     return push_slowly(size, options, push, run);
@@ -273,16 +281,18 @@ private:
     return status;
   }
 
-  /// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads
-  /// are to be as stiff beside the motion as before, they go on from the last answer. False: the
-  /// push has to be solved from nothing.
+  /// A tenth of the push moves everything a tenth as fast, but for what inertia takes: pads go on
+  /// from the last answer, and round friction from its cones. False: the push has to be solved from
+  /// nothing.
   bool go_on(S size, S compliance, SmallPush<S>& push, PressureRun& run) {
-    if (assembly_.scene().pressure != Pressure::pad || has_round_friction(assembly_.scene()))
-      return false;
+    if (assembly_.scene().pressure != Pressure::pad) return false;
     PressureOptions<S> options = options_;
-    options.goes_on = true;
-    options.first_compliance = compliance / BreakingSettings<S>().step;
+    options.goes_on = options.keeps_cones = true;
+    options.first_compliance = compliance;
     options.max_pivots = assembly_.layout().size; // from nothing takes no more
+    for (LinearizedCone<S>& cone : work_.friction_memory(assembly_.scene()).round_cones)
+      slow_down(cone, BreakingSettings<S>().step);
+    (void)assembly_.assemble(assembly_.scene()); // it has fitted before
     return push_slowly(size, options, push, run) == Status::solved;
   }
 };
