@@ -61,10 +61,13 @@ struct RoundSettings {
 template <class S> struct BreakingSettings {
   static constexpr int most_pushes = 5; ///< three make a line; each of two more is a tenth again,
                                         ///< where a change of mode has bent it
-  S first_push{S(1) / S(1000)};         ///< below it the line's error is rounding's (theory 6)
-  S first_swept_push{S(1) / S(100)};    ///< sweeps see less far down
-  S fastest_push{S(1) / S(9)};          ///< the line is of smaller ones: beyond, inertia tells
-  S step{10};                           ///< each push is a tenth of the one before
+  /// Of pads under round friction, a push from nothing: those that settle at once were seen to
+  /// take up to one an unknown, the others five to fifty.
+  static constexpr Index pivots_an_unknown = 4;
+  S first_push{S(1) / S(1000)};      ///< below it the line's error is rounding's (theory 6)
+  S first_swept_push{S(1) / S(100)}; ///< sweeps see less far down
+  S fastest_push{S(1) / S(9)};       ///< the line is of smaller ones: beyond, inertia tells
+  S step{10};                        ///< each push is a tenth of the one before
   /// A third push this near the line is on it, over the force of breaking, or over F times
   /// small_force where that is less: rounding leaves 1e-13 of F (numerics.md).
   S straight{S(1) / S(1000000)};
