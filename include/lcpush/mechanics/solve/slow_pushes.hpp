@@ -191,8 +191,8 @@ private:
 
   /// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads
   /// are to be as stiff beside the motion as before, they go on from the last answer, and round
-  /// friction from its cones.
-  PressureOptions<S> going_on(S compliance) const {
+  /// friction from its cones, which are made those of the slower push.
+  PressureOptions<S> going_on(S compliance) {
     const BreakingSettings<S> settings;
     PressureOptions<S> options = options_;
     options.goes_on = options.keeps_cones = true;
