@@ -123,6 +123,7 @@ std::string give_way_words(const SceneFile& file, const GiveWay& gives) {
   if (!gives.opens.empty())
     return (gives.turns ? "tips it, and it parts from " : "lifts it off ") + names(gives.opens);
   if (!gives.yields.empty()) return "pushes back " + names(gives.yields);
+  if (gives.along.isZero(0)) return "is more than its pads bear"; // statics knows no limit
   return (gives.turns ? "turns it about " : "moves it along ") + way;
 }
 

@@ -35,6 +35,9 @@ std::string falls_words(const SceneFile& file, const HoldStudy& study) {
                 : "") +
            ".";
   if (study.most == 0) return "Not held: its grip pushes " + object + " away, however weak it is.";
+  if (study.factor <= 1 && !(study.most < 1))
+    return "Not held, by the answer of its laws that was found, though " +
+           grip_text(study, study.factor) + " may hold " + object + ".";
   if (study.factor <= 1)
     return "Not held: the grip is too hard; from " + grip_text(study, study.factor) + " to " +
            grip_text(study, study.most) + " would hold " + object + ".";

@@ -46,11 +46,11 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
 double HoldingLaw::least_grip(double bound) {
   const bool is_proved = !std::isnan(pads_least_);
   const double least = is_proved ? std::max(bound, pads_least_) : bound;
-  if (least <= statics_settings.closed) return 0;
   if (holds_now_ == true && least > 1) return 1;
   const auto is_held = [&](double factor, bool unknown) {
     return holds(factor, Vector6<double>::Zero()).value_or(unknown);
   };
+  if (least <= statics_settings.closed && (is_proved || is_held(0, false))) return 0;
   const double refuted = holds_now_ == false ? std::max(least, 1.0) : least;
   if (refuted == least && is_held(least * (1 + pads_.slack()), is_proved)) return least;
   const double found = searched(refuted, 1, [&](double factor) { return is_held(factor, false); });

@@ -6,8 +6,26 @@
 
 namespace lcpush::desktop {
 
+/// What a load adds to one locked finger it takes from those across: where their normals cancel
+/// they press, together, with what they were closed with. More would be a wedge, which no one
+/// counts on.
+void PadStatics::bound_locked_forces() {
+  Vector3<double> closes = Vector3<double>::Zero();
+  double sum = 0;
+  for (const Body<double>& body : assembled_.scene.bodies) {
+    if (!(body.preload > 0)) return;
+    closes += body.preload * body.normal;
+    for (const Index i : points_of(body)) sum += assembled_.work.pressure.preload[i];
+  }
+  if (closes.norm() > statics_settings.flat * sum * scales().force) return;
+  is_capped_ = false;
+  fixed_[sum_row_] = 0;
+  grip_column_[sum_row_] = -sum;
+}
+
 /// [T.7] c (lambda - lambda_0) + W(n)' m = 0 where a point touches, >= 0 where it has parted.
 void PadStatics::add_pads() {
+  bound_locked_forces();
   displacement_ = Eigen::MatrixXd::Zero(rows_, sum_row_);
   for (Index b = 0; b < assembled_.scene.bodies.size; ++b) {
     const Body<double>& body = assembled_.scene.bodies[b];

@@ -21,6 +21,7 @@ public:
 
 private:
   void add_pads();
+  void bound_locked_forces();
   void add_patch(Index body);
   void follow(const Eigen::VectorXd& normal, double preload, bool parts);
 };

@@ -203,6 +203,14 @@ class ClosedForms(unittest.TestCase):
         down = next(d for d in answer["disturbances"] if d["direction"] == [0, 0, -1])
         self.assertIsNone(down["statics_limit"])
 
+    def test_locked_jaws_that_are_loaded_along_their_normals_do_not_wedge(self):
+        """One finger gains half the load that the other loses; the weaker one bears its half of the weight."""
+        text = scene(pinch(), '[gripper]\njaws = "locked"\n', gravity=(0, 9.81, -9.81))
+        answer = self.judge(text, 1.5 * WEIGHT / 20, [("force", (0, 0, -1), 20 - 1.5 * WEIGHT)], precision=1e-3)
+        self.assertNotIn("(0, 0, 0)", answer["answer"])
+        pads = hold(text.replace('"point"', '"disc"').replace("friction", "radius = 0.003\nfriction"))
+        self.assertTrue(WEIGHT < pads["least_grip"]["force"] < 1.5 * WEIGHT, pads["least_grip"])
+
     def test_no_grip_holds(self):
         answer = self.judge(scene(pinch(friction=0)), None)
         self.assertIn("No grip force holds", answer["answer"])
