@@ -120,19 +120,18 @@ void add_closings(const BreakReport& report, std::vector<Fact>& facts) {
 /// N per m/s^2
 double least_inertia(const SceneFile& file) { return word_settings.rounding * file.object.mass; }
 
-/// What other covers and the scene's images have led to.
+/// What other covers have led to.
 std::string break_unique_words(const BreakReport& report) {
   const bool same_force = report.unique_force != Uniqueness::no;
   const bool same_motion = report.unique_motion != Uniqueness::no;
-  if (same_force && same_motion)
-    return "no other was found by other covering vectors and in mirrors";
+  if (same_force && same_motion) return "no other was found by other covering vectors";
   double least = report.breaking.break_force, largest = least;
   for (const OtherBreak& other : report.others) {
     least = std::min(least, other.break_force);
     largest = std::max(largest, other.break_force);
   }
   const std::string open = same_motion ? "force" : same_force ? "motion" : "force and motion";
-  return "NOT unique: other starts, or mirrors, lead to another " + open +
+  return "NOT unique: other covering vectors lead to another " + open +
          (same_force ? ""
                      : ";\nfound between " + number(least) + " and " + number(largest) + " N") +
          "\nAll of them: lcpush spread --break";

@@ -95,7 +95,7 @@ struct OtherBreak {
   Vector6<double> twist = Vector6<double>::Zero(); ///< as Breaking::twist
 };
 
-/// Its uniqueness compares other covers, and the scene's images in mirrors.
+/// Its uniqueness compares other covers.
 struct BreakReport : RunReport {
   Index pusher = -1; ///< body that pushes
   Breaking<double> breaking;
