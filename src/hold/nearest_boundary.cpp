@@ -87,7 +87,6 @@ private:
       if (!(off(end) > statics_settings.flat * size_) || size_ == 0) {
         best_.direction = along;
         best_.lower = best_.upper = std::max(nearness_(along, 0), nearness_(-along, 0));
-        best_.is_flat = true;
         return false;
       }
       Vector3<double> axis = end->point - points_[0];

@@ -20,7 +20,6 @@ struct NearestBoundary {
   Vector3<double> direction = Vector3<double>::Zero();    ///< unit, outward: the set ends there at
   double lower = 0;                                       ///< at least this
   double upper = std::numeric_limits<double>::infinity(); ///< and at most that, from the origin
-  bool is_flat = false;                                   ///< the set has no inside
 };
 
 using SupportQuestion = std::function<std::optional<SupportPoint>(const Vector3<double>& along)>;

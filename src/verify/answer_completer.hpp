@@ -26,7 +26,6 @@ private:
 
 struct Completion {
   bool has_forces = false;            ///< were forces filled in?
-  bool has_own_motion = false;        ///< was the motion left open, and lcpush's own taken?
   std::vector<std::string> completed; ///< a phrase for each thing that was not given
   std::string missing;                ///< what would have to be given as well; empty: it is whole
 };

@@ -232,7 +232,6 @@ bool AnswerCompleter::find_motion() {
     for (Index a = 0; a < layout_.actuators; ++a)
       of_own[6 + a] = own.answer.closing[a] * layout_.reach[a];
     x = system.nearest_to(of_own);
-    completion_.has_own_motion = true;
     completion_.completed.emplace_back(
         "the motion, where it was open as lcpush's own answer has it");
   }
