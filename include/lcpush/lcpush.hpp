@@ -3,11 +3,11 @@
 //   Scene            what touches what, in SI units                      mechanics/model/scene.hpp
 //     | assemble     one function a law of the paper                     mechanics/model/laws.hpp
 //   FactoredProblem  w = M z + q,  0 <= z _|_ w >= 0                      lcp/problem.hpp
-//     | solve        Lemke's pivots, under a pressure law                lcp/pivots/lemke.hpp
-//     |              the same with O(n) a pivot lcp/pivots/structured_lemke.hpp |
-//     mechanics/solve/pressure.hpp
+//     | solve        Lemke's pivots                                      lcp/pivots/lemke.hpp
+//     |              the same with O(n) a pivot               lcp/pivots/structured_lemke.hpp
+//     |              either under a pressure law                  mechanics/solve/pressure.hpp
 //   z
-//     | read_answer  forces, motion, contact modes, in SI units mechanics/model/read_answer.hpp
+//     | read_answer  forces, motion, modes, in SI units           mechanics/model/read_answer.hpp
 //   Answer
 //     | check        the laws again, by code that shares nothing above   mechanics/model/check.hpp
 //   Residuals

@@ -83,8 +83,8 @@ private:
       }
       // Fixed steps are as long as was asked, whatever is kept: a frame is the end of one.
       const double room = std::min(options_.step ? time_ : target, next_stroke()) - now();
-      // Equal steps up to there: a sliver that is left over would be an instant of its own, in
-      // which gaps of second order have no time to close.
+      // Equal steps up to there. A much shorter last one would leave no time to close the gaps of
+      // second order that turning faces open.
       const double h = room / std::max(1.0, std::ceil(room / next_ - Settings::whole_steps));
       const bool went = options_.step ? fixed_step(h) : controlled_step(h);
       if (!went) return false;

@@ -118,8 +118,8 @@ template <class S, class B> bool Lemke<S, B>::find_range() {
   return true;
 }
 
-/// Of z, as an answer for q + sigma push. In the covering vector and the tie columns: whoever goes
-/// on after a check computes them afresh.
+/// The residual of z as an answer for q + sigma push. It overwrites the covering vector and the
+/// tie columns, which a run that goes on after a check computes afresh.
 template <class S, class B> WorstRow<S> Lemke<S, B>::referee(const S& sigma, const S* z) {
   struct Pushed { // there may be no push where sigma is 0
     const Problem<S>& problem;

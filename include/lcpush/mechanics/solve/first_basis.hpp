@@ -1,4 +1,4 @@
-// Where Lemke's pivots begin. There are six starts, and each has who asks for it:
+// Where Lemke's pivots begin: the starts, and who asks for each.
 //
 //     cold         z = 0 under a covering vector: LemkeRounds (rounds.hpp), and all others where
 //                  their basis leads nowhere

@@ -5,9 +5,9 @@
 
 namespace lcpush {
 
-/// The compliance eps falls by a factor a round. A round that is lost is tried again at a larger
-/// compliance, and from there eps comes down more slowly; each one that is solved makes it faster
-/// again.
+/// The compliance eps falls by a factor a round. After a round that failed it falls by the square
+/// root of that factor, from the last round that was solved; each solved one squares it again, up
+/// to the first factor.
 template <class S> class PadSchedule {
 public:
   void begin(const PressureOptions<S>& options) {

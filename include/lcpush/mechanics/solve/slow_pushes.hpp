@@ -173,9 +173,10 @@ private:
     return status;
   }
 
-  /// Pads that yield more than a slow push moves would turn every slip away from what was
-  /// predicted; round friction's pyramids turn with the slips, but for the slowest. They get few
-  /// pivots, before pushes go on from each other: what takes more meets one answer after the other.
+  /// Pads that yield more than a slow push moves would turn every slip away from the predicted
+  /// one: where modes are predicted they begin as stiff as the push is slow, under round friction
+  /// only for the slowest, as its pyramids turn with the slips. Pads under round friction get few
+  /// pivots while pushes do not yet go on from each other, which then is the quicker way.
   PressureOptions<S> from_nothing(S size, int k) const {
     const BreakingSettings<S> settings;
     PressureOptions<S> options = options_;

@@ -7,8 +7,8 @@ namespace lcpush {
 
 /// Of the existence lemma's conditions.
 template <class S> struct StudyMemory {
-  Span<S> scalars;    ///< existence_scalars
-  Span<int> integers; ///< existence_integers
+  Span<S> scalars;    ///< ExistenceSize::scalars()
+  Span<int> integers; ///< ExistenceSize::integers()
 };
 
 /// Does the actuator drive a finger, so that a factor on the grip scales it?
