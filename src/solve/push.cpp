@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/grip_statics.hpp"
 #include "solve/noise.hpp"
@@ -292,6 +294,12 @@ std::string Push::untold(const PushReport& report) const {
   return text + "the largest force is " + shown(report.scales.force) + " N";
 }
 
+/// What was found is no answer.
+static void refuse(PushReport& report, std::string reason) {
+  report.status = Status::numerical_breakdown;
+  report.reason = std::move(reason);
+}
+
 PushReport Push::solve(const PushOptions& options) & {
   PushReport report;
   begin(options, report);
@@ -326,26 +334,22 @@ PushReport Push::solve(const PushOptions& options) & {
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual) ||
       lost_actuator(file_, report.scales) >= 0) {
-    report.status = Status::numerical_breakdown;
-    report.reason = untold(report);
+    refuse(report, untold(report));
     report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
     report.final_basis = {};
     report.sensitivity.clear();
     report.other.reset();
   }
   const double load = lost_load(file_, report.scales, report.residuals.max());
-  if (!(push > 0) && load > 0) {
-    report.status = Status::numerical_breakdown;
-    report.reason = reason_text(Reason::small_load) +
-                    (": weight and applied forces are " + brief(load)) +
-                    " N, the largest force is " + shown(report.scales.force) + " N";
-  }
-  if (is_too_slow(push, report.scales, report.residuals.beside)) {
-    report.status = Status::numerical_breakdown;
-    report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
-                    shown(report.scales.force) + " N on " + shown(scene_.object.mass) +
-                    " kg) to be told from rounding; lcpush break gives the limit of slow pushes";
-  }
+  if (!(push > 0) && load > 0)
+    refuse(report, reason_text(Reason::small_load) +
+                       (": weight and applied forces are " + brief(load)) +
+                       " N, the largest force is " + shown(report.scales.force) + " N");
+  if (is_too_slow(push, report.scales, report.residuals.beside))
+    refuse(report,
+           "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
+               shown(report.scales.force) + " N on " + shown(scene_.object.mass) +
+               " kg) to be told from rounding; lcpush break gives the limit of slow pushes");
   return report;
 }
 
