@@ -1,6 +1,7 @@
 #include "lcpush/desktop/final_basis.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
 #include "solve/contact_system.hpp"
+#include "solve/noise.hpp"
 #include "solve/rest_by_friction.hpp"
 
 #include <algorithm>
@@ -32,9 +33,7 @@ class Study {
 public:
   Study(const Assembly<double>& assembly, const Answer<double>& answer)
       : assembly_(assembly), scene_(assembly.scene()), layout_(assembly.layout()), answer_(answer) {
-    double fastest = 1e-9 * layout_.scales.acceleration;
-    for (const ContactAnswer<double>& contact : answer.contacts)
-      fastest = std::max(fastest, contact.acceleration.norm());
+    const double fastest = std::max(1e-9 * layout_.scales.acceleration, fastest_contact(answer));
     margins_ = {strict * layout_.scales.force, strict * fastest};
   }
 

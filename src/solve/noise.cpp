@@ -45,15 +45,19 @@ Noise noise_below(const SceneFile& file, const Scales<double>& scales, double pa
   return {force, force * scales.length, force / file.object.mass, part * scales.length};
 }
 
+double fastest_contact(const Answer<double>& answer) {
+  double fastest = 0;
+  for (const ContactAnswer<double>& contact : answer.contacts)
+    fastest = std::max(fastest, contact.acceleration.norm());
+  return fastest;
+}
+
 void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& report) {
   report.noise = noise_below(file, report.scales, word_settings.rounding);
   report.brief_noise = noise_below(file, report.scales, word_settings.table);
   // Where nothing moves, the fastest is rounding's.
-  double fastest = 0;
-  for (const ContactAnswer<double>& contact : answer.contacts)
-    fastest = std::max(fastest, contact.acceleration.norm());
   report.brief_noise.acceleration =
-      std::max(report.noise.acceleration, word_settings.table * fastest);
+      std::max(report.noise.acceleration, word_settings.table * fastest_contact(answer));
 }
 
 void let_rest(const SceneFile& file, const Scales<double>& scales, const Noise& noise,

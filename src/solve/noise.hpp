@@ -10,6 +10,9 @@ namespace lcpush::desktop {
 /// beside that load too, but never below what rounding leaves of F.
 Noise noise_below(const SceneFile& file, const Scales<double>& scales, double part);
 
+/// How fast the fastest of the contact points moves, m/s^2.
+double fastest_contact(const Answer<double>& answer);
+
 /// Sets the report's noise and brief_noise; a brief report's also by the fastest of `answer`'s
 /// contacts.
 void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& report);

@@ -66,16 +66,22 @@ std::string friction_text(const SceneFile& file, const RunReport& report) {
          std::to_string(file.facets) + " facets.\n";
 }
 
+/// How hard the pushers push together, N.
+double total_push(const SceneFile& file, const PushReport& report) {
+  double push = 0;
+  for (const Body<double>& body : file.bodies)
+    if (body.role == Role::pusher)
+      push += body_wrench(file.view(), report.answer, body).head<3>().norm();
+  return push;
+}
+
 /// What else the laws allow, and where to look: a paragraph, or nothing.
 std::string others_text(const SceneFile& file, const PushReport& report) {
   const bool motion = report.unique_motion == Uniqueness::no;
   std::string text = mirror_sentence(file, report);
   if (motion || report.unique_wrench == Uniqueness::no) {
     const std::string what = motion ? "motion" : "push";
-    double push = 0;
-    for (const Body<double>& body : file.bodies)
-      if (body.role == Role::pusher)
-        push += body_wrench(file.view(), report.answer, body).head<3>().norm();
+    const double push = total_push(file, report);
     const double other = report.other ? report.other->wrench.head<3>().norm() : push;
     text += "The " + what + " is not unique: ";
     const bool may_rest = motion && report.other && report.other->acceleration.isZero(0);
@@ -100,15 +106,11 @@ std::string ray_text(const RunReport& report) {
 
 /// Where inertia at the speed of a pusher, taken as an acceleration, is a part of the push.
 std::string velocity_text(const SceneFile& file, const PushReport& report) {
-  double push = 0;
   bool has_speed = false;
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-    if (file.bodies[b].role != Role::pusher) continue;
-    has_speed = has_speed || file.strokes[b].is_velocity;
-    push += body_wrench(file.view(), report.answer, file.bodies[b]).head<3>().norm();
-  }
+  for (std::size_t b = 0; b < file.bodies.size(); ++b)
+    has_speed = has_speed || (file.bodies[b].role == Role::pusher && file.strokes[b].is_velocity);
   const double inertia = file.object.mass * report.answer.acceleration.head<3>().norm();
-  if (!has_speed || !(inertia > word_settings.inertia * push)) return "";
+  if (!has_speed || !(inertia > word_settings.inertia * total_push(file, report))) return "";
   return "A pusher's velocity is taken as an acceleration here, from rest; for the push at that\n"
          "speed ask lcpush move.\n";
 }

@@ -32,9 +32,7 @@ DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
   answer.force_noise = settings.rounding * scales.force;
   answer.motion_noise = settings.rounding * scales.acceleration;
   answer.turning_noise = answer.motion_noise / scales.length;
-  double fastest = 0;
-  for (const ContactAnswer<double>& contact : solved.contacts)
-    fastest = std::max(fastest, contact.acceleration.norm());
+  const double fastest = fastest_contact(solved);
   // What the residual leaves open of slips is no event of the sweep; nor is anything where nothing
   // moves.
   const double open =
