@@ -235,8 +235,7 @@ void Arguments::inspect(const SceneFile& file) const {
   std::vector<SceneDoubt> doubts = check_scene(file);
   const commands::Option* const tolerance = command().find("tolerance");
   const bool asks_box = tolerance != nullptr && tolerance->repeats && text("format") != "svg" &&
-                        !has("vary") &&
-                        (command().find("box") == nullptr || has("tolerance") || has("box"));
+                        !has("vary") && command().find("box") == nullptr;
   if (has("strict") || asks_box) // a range is nothing odd, and a box is asked
     doubts.erase(
         std::remove_if(doubts.begin(), doubts.end(),
@@ -245,7 +244,10 @@ void Arguments::inspect(const SceneFile& file) const {
   std::vector<std::string> sentences;
   for (const SceneDoubt& doubt : doubts) sentences.push_back(doubt_text(doubt));
   if (has("strict") && !doubts.empty()) throw InputError(joined(sentences, "\n"));
-  if (text("format") != "json") doubts_.insert(doubts_.end(), doubts.begin(), doubts.end());
+  for (std::string& sentence : sentences) // a command may look at its scene more than once
+    if (text("format") != "json" &&
+        std::find(doubts_.begin(), doubts_.end(), sentence) == doubts_.end())
+      doubts_.push_back(std::move(sentence));
   const std::string refusal = asks_box ? "" : uncertified_law(file); // of a box its own proof
   if (has("certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
 }

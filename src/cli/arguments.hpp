@@ -33,7 +33,7 @@ public:
 
   const std::vector<std::string>& files() const { return files_; }
   /// What looks odd about the scenes that were read, unless JSON has it.
-  const std::vector<SceneDoubt>& doubts() const { return doubts_; }
+  const std::vector<std::string>& doubts() const { return doubts_; }
 
   bool has(const std::string& option) const override { return values_.count(option) > 0; }
   std::optional<std::string> text(const std::string& option) const override;
@@ -73,7 +73,7 @@ private:
   std::vector<std::string> files_;
   std::map<std::string, std::vector<std::string>> values_;
   mutable std::vector<std::string> scenes_; ///< texts: standard input is read only once
-  mutable std::vector<SceneDoubt> doubts_;
+  mutable std::vector<std::string> doubts_;
 
   void read_option(const std::vector<std::string>& words, std::size_t& at);
   bool is_typed() const { return has("M") || has("q"); }

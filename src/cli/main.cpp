@@ -124,7 +124,7 @@ std::string set_words(const Arguments& arguments) {
 }
 
 void tell_doubts(const Arguments& arguments) {
-  for (const SceneDoubt& doubt : arguments.doubts()) tell("Check: " + doubt_text(doubt) + ".");
+  for (const std::string& doubt : arguments.doubts()) tell("Check: " + doubt + ".");
 }
 
 int answer(const Command& command, const Arguments& arguments) {

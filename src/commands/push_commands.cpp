@@ -28,21 +28,19 @@ SceneFile scene_to_solve(const Values& values, Listener& listener) {
   return file;
 }
 
-/// For every value of a box, if one is asked for; the file is its middle.
-std::optional<BoxAnswer> judged_box(const Values& values, SceneFile& file) {
+/// The scene whose middle is solved, if it is asked for every value of its ranges.
+std::optional<VariedScene> scene_with_box(const Values& values) {
   if (!values.has("tolerance") && !values.has("box")) return std::nullopt;
-  const VariedScene scene = values.scene_with_ranges(Needs::scene);
+  if (values.has("certify"))
+    values.refuse("certify", values.label("certify") + " proves one answer, not those of a box");
+  VariedScene scene = values.scene_with_ranges(Needs::scene);
   if (scene.ranges().empty())
     values.refuse("box", values.label("box") + " is of a scene's ranges, and it has none; give " +
                              values.usage("tolerance"));
-  if (values.has("certify"))
-    values.refuse("certify", values.label("certify") + " proves one answer, not those of a box");
-  file = scene.as_given();
-  file.lines.ranges = 0; // they are answered
-  return judge_modes(scene);
+  return scene;
 }
 
-/// Its verdict beside the answer of the middle.
+/// The verdict on all of them beside the answer of the middle.
 std::string with_box(std::string text, const std::string& format, const SceneFile& file,
                      const BoxAnswer& box) {
   if (format == "json") {
@@ -60,8 +58,10 @@ Result run_solve(const Values& values, Listener& listener) {
   if (values.has("sensitivity") && (format != "json" || values.has("history")))
     values.refuse("sensitivity", values.label("sensitivity") + " is a key of the answer in " +
                                      values.label("format") + " json, without --history");
-  SceneFile file = scene_to_solve(values, listener);
-  const std::optional<BoxAnswer> box = judged_box(values, file);
+  const std::optional<VariedScene> ranges = scene_with_box(values);
+  SceneFile file = ranges ? ranges->as_given() : scene_to_solve(values, listener);
+  std::optional<BoxAnswer> box;
+  if (ranges) box = judge_modes(*ranges);
   const auto asked = std::make_shared<AskedPush>(std::move(file), solver, listener);
   asked->options.record_history = values.has("history");
   if (values.has("sensitivity")) asked->options.study_commands = &find_sensitivity;

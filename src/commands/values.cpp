@@ -114,6 +114,14 @@ bool Values::lies_in_plane(const SceneFile& file, Listener& listener) const {
 }
 
 VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
+  return inspected(read_scene(k), needs);
+}
+
+VariedScene Values::scene_with_ranges(Needs needs) const {
+  return inspected(with_tolerances(read_scene(0), texts("tolerance")), needs);
+}
+
+VariedScene Values::read_scene(std::size_t k) const {
   const Document document = scene_document(k);
   VariedScene scene = VariedScene::parse(document.text, document.name);
   if (const auto law = text("pressure"))
@@ -122,14 +130,14 @@ VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
     scene.set_facets(std::nullopt);
   else if (const auto facets = whole("facets", {4, 256, true}))
     scene.set_facets(facets);
+  return scene;
+}
+
+VariedScene Values::inspected(VariedScene scene, Needs needs) const {
   const SceneFile file = scene.as_given();
   refuse_size(file, needs);
   inspect(file);
   return scene;
-}
-
-VariedScene Values::scene_with_ranges(Needs needs) const {
-  return with_tolerances(varied_scene(needs), texts("tolerance"));
 }
 
 std::string Values::corner_scene(const BoxAnswer& answer) const {

@@ -161,6 +161,8 @@ protected:
 private:
   const Command& command_;
 
+  VariedScene read_scene(std::size_t k) const;
+  VariedScene inspected(VariedScene scene, Needs needs) const;
   void refuse_size(const SceneFile& file, Needs needs) const;
 };
 

@@ -99,6 +99,7 @@ public:
     if (equals == std::string::npos || trimmed(given.substr(equals + 1)).empty())
       fail("PATH=VALUE is meant, such as wall.friction=0.4");
     path_ = std::string(trimmed(given.substr(0, equals)));
+    refuse_range(given.substr(equals + 1));
     value_ = value(given.substr(equals + 1));
     const std::size_t bracket = std::min(path_.find('[', path_.rfind('.') + 1), path_.size());
     const std::size_t dot = path_.rfind('.', bracket);
@@ -143,6 +144,20 @@ private:
       const std::string what = error.what();
       fail(what.substr(std::min(what.find(": ") + 2, what.size())));
     }
+  }
+
+  /// "0.5:0.9", as --vary and --tolerance have it.
+  void refuse_range(std::string_view typed) const {
+    const std::vector<std::string_view> ends = split_at(typed, ':');
+    if (ends.size() != 2 || path_ == "title") return;
+    std::string from(trimmed(ends[0]));
+    const std::string_view to = trimmed(ends[1]);
+    const std::size_t first = decimal_prefix(from).length, second = decimal_prefix(to).length;
+    if (first == 0 || second == 0) return;
+    if (first == from.size()) from += to.substr(second); // "50:70 g"
+    fail("a range is written " + quoted(path_ + "=[" + from + ", " + std::string(to) + "]") +
+         "; does an answer hold for all of it? --tolerance " +
+         quoted(path_ + "=" + std::string(trimmed(typed))));
   }
 
   bool is_turn() const { return key_ == "turn" || key_ == "tangent_turn"; }

@@ -30,6 +30,8 @@ REFUSED = [
     ("pin.center[y]=1", "vectors are counted so"), ("left.ends[0][0]=1", "set all of it, ends=[..]"),
     ("pin.shift[3]=1", "ends at [2]"), ("left.turn=1", "neither a velocity nor an acceleration"),
     ("object.mass=3 lb", "1 lb is 0.45359237 kg"), ("object.box=[1, 2", "this [ is never closed"), ("=1", "no key"),
+    ("*.friction=0.5:0.9", 'a range is written "*.friction=[0.5, 0.9]"; does an answer hold for all of it? --tolerance "*.friction=0.5:0.9"'),
+    ("object.mass=50:70 g", 'written "object.mass=[50 g, 70 g]"'),
     ("left.grip_force=10", 'write --set "*.grip_force=..", or add --set gripper.jaws=independent'),
 ]
 COMMANDS = ["solve", "break", "hold", "move --time 0.01", "sweep --vary *.friction=0.2:0.4 --steps 2", "spread --paths",

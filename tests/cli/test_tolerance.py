@@ -167,6 +167,16 @@ class Tolerance(ToolTest):
         typed = json_of("solve", self.file("t.toml", SLIDE_TEXT.replace("-0.015", "-0.014").replace("0.015, 0]]", "0.016, 0]]")))
         self.assertEqual(moved["bodies"], typed["bodies"])
 
+    def test_whatever_takes_the_middle_says_so(self):
+        scene, taken = self.file("slide.toml", SLIDE_TEXT), 'taken, finger "left" friction = 0.7 (0.5 to 0.9)'
+        solve = ("solve", scene, "--tolerance", "*.friction=0.5:0.9")
+        self.assertEqual(unwrapped(run(*solve).stderr).count(taken), 1)
+        self.assertEqual([w["code"] for w in json_of(*solve)["warnings"]], ["middle"])
+        for words in (["solve", "--box"], ["break"], ["move", "--time", "0.01"], ["report"], ["spread"],
+                      ["sweep", "--vary", "wall.friction=0.2:0.4", "--steps", "2"]):
+            said = unwrapped(run(words[0], UNCERTAIN, *words[1:], "-o", self.path / "answer").stderr)
+            self.assertEqual(said.count("the middle of the ranges is taken"), 1, words)
+
     def test_contact_modes_of_solve(self):
         scene = self.file("slide.toml", SLIDE_TEXT)
         free = self.file("held.toml", SLIDE_TEXT.split("[[pusher]]")[0])
