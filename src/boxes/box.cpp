@@ -202,11 +202,18 @@ BoxAnswer Box::answer() const {
   return answer;
 }
 
-void Box::put_corner(const std::vector<Rational>& of_sides, BoxAnswer& answer) const {
+std::vector<std::pair<std::string, double>>
+Box::named_values(const std::vector<Rational>& of_sides) const {
   const std::vector<Rational> exact = values(of_sides);
+  std::vector<std::pair<std::string, double>> named;
   for (std::size_t k = 0; k < parameters_.size(); ++k)
-    answer.corner.emplace_back(parameters_[k].path, exact[k].value());
-  answer.corner_scene = scene_.text_at(parameters_, exact);
+    named.emplace_back(parameters_[k].path, exact[k].value());
+  return named;
+}
+
+void Box::put_corner(const std::vector<Rational>& of_sides, BoxAnswer& answer) const {
+  answer.corner = named_values(of_sides);
+  answer.corner_scene = scene_.text_at(parameters_, values(of_sides));
 }
 
 BoxAnswer unknown_box(const VariedScene& scene) { return Box(scene).answer(); }

@@ -55,6 +55,8 @@ public:
 
   /// The box and nothing known.
   BoxAnswer answer() const;
+  std::vector<std::pair<std::string, double>>
+  named_values(const std::vector<Rational>& of_sides) const;
   void put_corner(const std::vector<Rational>& of_sides, BoxAnswer& answer) const;
 
 private:

@@ -97,7 +97,8 @@ private:
   }
 
   void decide() {
-    bool is_proved = true;
+    bool is_proved = true, is_compared = true;
+    std::optional<WorstGrip> worst;
     for (Box::Corner c = 0; c < box_.corners(); ++c) {
       if (!is_wanted(c)) continue;
       const std::vector<Rational> at = box_.corner(c);
@@ -113,12 +114,16 @@ private:
         return;
       }
       is_proved = is_proved && found.held && has_forces(there);
+      is_compared = is_compared && found.factor < no_limit; // a number, too
+      if (found.factor > (worst ? worst->factor : 0))
+        worst = WorstGrip{found.grip, found.factor, box_.named_values(at)};
     }
     answer_.reason = obstacle_;
     if (!obstacle_.empty()) return;
-    if (is_proved)
+    if (is_proved) {
       answer_.verdict = BoxVerdict::always;
-    else
+      if (is_compared) answer_.worst = std::move(worst);
+    } else
       answer_.reason = "at a corner the law of pads has no rest in which every point presses, and "
                        "only those are known to be convex";
   }

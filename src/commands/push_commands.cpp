@@ -33,7 +33,7 @@ std::optional<VariedScene> scene_with_box(const Values& values) {
   if (!values.has("tolerance") && !values.has("box")) return std::nullopt;
   if (values.has("certify"))
     values.refuse("certify", values.label("certify") + " proves one answer, not those of a box");
-  VariedScene scene = values.scene_with_ranges(Needs::scene);
+  VariedScene scene = values.scene_of_middle(Needs::scene);
   if (scene.ranges().empty())
     values.refuse("box", values.label("box") + " is of a scene's ranges, and it has none; give " +
                              values.usage("tolerance"));

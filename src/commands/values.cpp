@@ -118,6 +118,10 @@ VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
 }
 
 VariedScene Values::scene_with_ranges(Needs needs) const {
+  return with_tolerances(varied_scene(needs), texts("tolerance"));
+}
+
+VariedScene Values::scene_of_middle(Needs needs) const {
   return inspected(with_tolerances(read_scene(0), texts("tolerance")), needs);
 }
 

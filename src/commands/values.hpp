@@ -139,6 +139,8 @@ public:
   VariedScene varied_scene(Needs needs, std::size_t k = 0) const;
   /// The same with the ranges of --tolerance; whether any number has one, see VariedScene::ranges.
   VariedScene scene_with_ranges(Needs needs) const;
+  /// The same where the middle of the ranges is answered, and is what is inspected.
+  VariedScene scene_of_middle(Needs needs) const;
   /// The corner at which an answer fails, as a scene file; refuses where there is none.
   std::string corner_scene(const BoxAnswer& answer) const;
   /// The body of --pusher, or the only pusher.

@@ -187,7 +187,7 @@ class Tolerance(ToolTest):
                 (scene, ["--tolerance", "left.points[0][0]=0:0.01"], "not_known", "Not known for every value in the ranges: whether it"),
                 (SLIDE, ["--tolerance", "*.friction=10%"], "not_known", "proved alone of one pusher that sticks in a plane"),
                 (SCENES / "two_pushers.toml", ["--tolerance", "*.friction=10%"], "not_known", "proved alone of one pusher"),
-                (free, ["--tolerance", "object.mass=0.1:0.4"], "always", "The grasp holds for every value in the ranges"),
+                (free, ["--tolerance", "object.mass=0.1:0.4"], "always", "The grasp holds for every object.mass from 0.1 to 0.4: worst at 0.4, with 5.1 times"),
                 (free, ["--tolerance", "object.mass=0.1:9"], "may_slip", "The grasp may give way: at object.mass = 9 the grasp does not hold"),
                 (UNCERTAIN, ["--box"], "always", "it would still if all of these numbers were 25.66 % off")):
             answer, text = json_of("solve", path, *words), run("solve", path, *words)
@@ -280,6 +280,21 @@ class Tolerance(ToolTest):
         self.assertEqual(json_of("hold", SLIDE, "--tolerance", "object.mass=5:9", "--tolerance", "*.grip_force=10:20")["verdict"], "never")
         locked = self.file("l.toml", SLIDE_TEXT.replace("[object]", '[gripper]\njaws = "locked"\n[object]'))
         self.assertEqual(json_of("hold", locked, "--tolerance", "*.friction=1%")["verdict"], "not_known")
+
+    def test_a_box_is_judged_beside_a_sound_scene(self):
+        heavy = ("--tolerance", "object.mass=0.1:9")  # whose middle no material has
+        self.assertEqual(run("hold", SLIDE, *heavy).stderr, "")
+        self.assertIn("heavier than any material", run("solve", SLIDE, *heavy).stderr)
+
+    def test_hold_names_the_worst_and_where_it_lets_go(self):
+        scene = self.file("slide.toml", SLIDE_TEXT)
+        least = 0.2 * 9.81 / (2 * 20)  # of the friction of two fingers with 20 N
+        for given, words, at in (("*.friction=0.4:0.9", "holds for every friction from 0.4 to 0.9: worst at 0.4, ", 0.4),
+                                 ("*.friction", "The grasp holds ", 0.5)):
+            said = unwrapped(run("hold", scene, "--tolerance", given).stdout)
+            self.assertIn(f"{words}with {at / least:.3g} times the grip it needs ({least * 20 / at:.3g} of 20 N per finger); "
+                          f"it would still down to a friction of {least:.3g}.", said)
+            self.assertNotIn("number", said)  # no table of the same numbers
 
     def test_how_an_actuator_moves_its_bodies_is_not_known_to_be_convex(self):
         finger = '[[finger]]\nname = "{0}"\nshape = "point"\non = "{1}z"\nfriction = 0.5\n'

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/desktop/smallest_grip.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 
 #include <functional>
@@ -34,6 +35,13 @@ struct BoxRange {
   bool counts = true; ///< can the answer depend on it?
 };
 
+/// Where in a box the least grip that holds is the largest part of the grip.
+struct WorstGrip {
+  GripReport grip; ///< there
+  double factor;   ///< the part
+  std::vector<std::pair<std::string, double>> at;
+};
+
 struct BoxAnswer {
   BoxVerdict verdict = BoxVerdict::not_known;
   /// A clause: what happens at the corner, or why it is not known.
@@ -44,7 +52,8 @@ struct BoxAnswer {
   bool is_indifferent = false; ///< there is no largest one: it does not depend on these numbers
   std::vector<BoxRange> box;
   std::vector<std::pair<std::string, double>> corner; ///< of may_slip
-  std::string corner_scene;                           ///< the same as a scene file
+  std::optional<WorstGrip> worst; ///< of always, of grasps: of the corners; none: not known
+  std::string corner_scene;       ///< the same as a scene file
 };
 
 /// The scene with what is only known to a tolerance in a range: "*.friction=10%" of what stands in
