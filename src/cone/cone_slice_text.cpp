@@ -1,4 +1,5 @@
 // A cut through a motion cone in words, as JSON and as a picture.
+#include "cone/settings.hpp"
 #include "draw/plot_svg.hpp"
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/cone.hpp"
@@ -9,6 +10,7 @@
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace lcpush::desktop {
@@ -20,11 +22,26 @@ const char* range_words(const ConeSlice::Range& range) {
   return range.sticks ? "sticks" : "slips";
 }
 
+bool is_sliver(const ConeSlice& slice, const ConeSlice::Range& range) {
+  return !slice.is_exact &&
+         std::abs(range.to - range.from) <
+             cone_settings.sliver * std::abs(slice.variation.to - slice.variation.from);
+}
+
 std::string slice_sentence(const SceneFile& file, const ConeSlice& slice) {
   const std::string& path = slice.variation.parameter.path;
+  std::vector<std::pair<double, double>> pieces;
+  bool goes_on = false;
+  for (const ConeSlice::Range& range : slice.ranges) {
+    if (is_sliver(slice, range)) continue;
+    if (range.sticks && goes_on)
+      pieces.back().second = range.to;
+    else if (range.sticks)
+      pieces.emplace_back(range.from, range.to);
+    goes_on = range.sticks;
+  }
   std::vector<std::string> sticking;
-  for (const ConeSlice::Range& range : slice.ranges)
-    if (range.sticks) sticking.push_back(brief(range.from) + " to " + brief(range.to));
+  for (const auto& [from, to] : pieces) sticking.push_back(brief(from) + " to " + brief(to));
   const std::string unit = slice.variation.parameter.unit;
   return file.body_name(slice.pusher) +
          (sticking.empty() ? " sticks nowhere"
@@ -35,20 +52,29 @@ std::string slice_sentence(const SceneFile& file, const ConeSlice& slice) {
 
 } // namespace
 
+/// "4 points of left and edge", of few their names.
+static std::string changing_words(const SceneFile& file, const std::vector<Index>& points) {
+  std::vector<std::string> names, bodies;
+  for (const Index i : points) {
+    names.push_back(point_name(file, i));
+    const std::string& body = file.body_name(file.body_of(i));
+    if (bodies.empty() || bodies.back() != body) bodies.push_back(body);
+  }
+  return names.size() > 3 ? std::to_string(names.size()) + " points of " + listed(bodies, "and")
+                          : joined(names, " ");
+}
+
 std::string slice_text(const SceneFile& file, const ConeSlice& slice) {
   std::string text = title_line(file) + slice_sentence(file, slice) + "\n\n";
   TableRows rows{{"from", "to", "there", "push N", "to N", "then changes"}};
   for (const ConeSlice::Range& range : slice.ranges) {
-    std::vector<std::string> names;
-    for (const Index i : range.changing) names.push_back(point_name(file, i));
     const bool is_solved = range.status == Status::solved && range.breaks;
     const auto push = [&](const ConeSlice::End& end) {
       return is_solved ? in_digits(end.wrench.head<3>().norm(), 4) : std::string("-");
     };
-    rows.push_back(
-        {number(range.from), number(range.to), range_words(range), push(range.at_from),
-         push(range.at_to),
-         names.size() > 3 ? std::to_string(names.size()) + " contacts" : joined(names, " ")});
+    rows.push_back({number(range.from), number(range.to),
+                    is_sliver(slice, range) ? "noise" : range_words(range), push(range.at_from),
+                    push(range.at_to), changing_words(file, range.changing)});
   }
   return text + table_text(rows) + "\n" +
          facts_text({{"Ends", slice.is_exact ? "exact, by parametric pivots"

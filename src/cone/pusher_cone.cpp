@@ -20,12 +20,23 @@ namespace {
 
 } // namespace
 
+/// A number of the pusher's motion, across its push, that would cut the cone.
+static std::string possible_cut(const SceneFile& file, Index pusher) {
+  const Body<double>& body = file.body(pusher);
+  const double size = body.acceleration.head<3>().norm();
+  const bool is_velocity = file.strokes[static_cast<std::size_t>(pusher)].is_velocity;
+  const std::string end = brief(size > 0 ? size : 1);
+  return "\"" + file.body_name(pusher) + (is_velocity ? ".velocity" : ".acceleration") +
+         (std::abs(body.normal.y()) > std::abs(body.normal.x()) ? "[0]=-" : "[1]=-") + end + ":" +
+         end + (is_velocity ? " m/s\"" : " m/s^2\"");
+}
+
 void refuse_no_cone(const SceneFile& file, Index pusher) {
   if (!file.planar)
     throw InputError(file.lines.file, file.lines.object,
                      "a whole motion cone is one of motions in the plane: say planar = true, if "
                      "the object moves in the x-y plane; or cut the cone with --vary, such as " +
-                         file.body_name(pusher) + ".acceleration[1]=-1:1");
+                         possible_cut(file, pusher));
   if (file.pressure == Pressure::rigid)
     throw InputError(file.lines.file, 1,
                      "under rigid pressure it is open how a patch shares its force, and so is the "

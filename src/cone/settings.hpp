@@ -33,6 +33,9 @@ struct ConeSettings {
   /// goes, and from how far inside a piece its end is seen. Not measured.
   int samples = 48;
   double sampled_to = 1e-9, inside = 1e-9;
+  /// What is sampled is not told of pieces narrower than this part of the range: between two
+  /// answers the rounds of a law end on one side or the other. Not measured.
+  double sliver = 1e-3;
   /// Of what is printed, below which it is rounding.
   double noise = 1e-9;
 };

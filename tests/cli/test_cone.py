@@ -194,6 +194,25 @@ class Cone(unittest.TestCase):
         both = run(SQUARE, "--pusher", "east", "--vary", "east.velocity[1]=0:1", "--twist", "1 0 0")
         self.assertEqual(both.returncode, 2)
 
+    def test_a_sliver_between_two_samples_is_no_interval(self):
+        pad = '[[finger]]\nname = "{0}"\nshape = "rectangle"\nsize = "12 x 8 mm"\non = "{1}z"\nfriction = 0.7\ngrip_force = 25\n'
+        bar = 'gravity = [0, -9.81, 0]\n[object]\nmass = 0.063\nbox = "120 x 22 x 14 mm"\n' + pad.format("a", "+") + pad.format("b", "-") + (
+            '[[pusher]]\nname = "edge"\nshape = "line"\non = "-x"\nalong = "z"\ncenter = [4e-3, 0]\nfriction = 0.3\nvelocity = [0.01, 0, 0]\n')
+        vary = ("--vary", "edge.velocity[1]=-10:10 mm/s")
+        slivers = [r for r in json.loads(run("-", *vary, "--json", text=bar).stdout)["ranges"] if r["to"] - r["from"] < 2e-5]
+        told = run("-", *vary, text=bar).stdout
+        self.assertEqual(told.count("noise"), len(slivers))
+        self.assertIn("edge sticks for edge.velocity[1] of -0.01 to 0.01 m/s.", told)
+        self.assertIn("4 points of edge", told)
+
+    def test_what_a_scene_in_space_is_told_to_cut_cuts_it(self):
+        for text, key in ((square(), "velocity"), (square().replace("velocity", "acceleration"), "acceleration")):
+            said = " ".join(run("-", "--pusher", "east", text=text.replace("planar = true", "gravity = [0, 0, 1]")).stderr.split())
+            given = re.search(r'--vary, such as "(east\.%s\[1\]=.*?)"' % key, said)
+            self.assertTrue(given, said)
+            cut = run("-", "--pusher", "east", "--pressure", "even", "--vary", given[1], text=text)
+            self.assertIn(f"east sticks for east.{key}[1] of", cut.stdout)
+
     def test_mistyped_twists_are_refused(self):
         for twist in ("1 2", "1 2 x", "0 0 0", "", "1 2 3 4", "nan 0 0"):
             result = run(SQUARE, "--pusher", "east", "--twist", twist)
