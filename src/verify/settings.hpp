@@ -23,6 +23,8 @@ struct VerifySettings {
   static constexpr double fits = 1e-3;      ///< of the tolerance: so well forces are fitted
   static constexpr double laws_first = 1e4; ///< weight of laws beside given sums: what these are
                                             ///< off by leaves 1e-8 of it in the laws
+  static constexpr double of_given = 1e-7;  ///< so that a law's row below this part of a wrong
+                                            ///< given one is the fit's, and not told
   static constexpr double own_first = 10;   ///< the error beside lcpush's own motion is told unless
                                             ///< the forces' own motion has so many times less
   static constexpr double turned = 1e-2; ///< of the error: less is left by a right change of signs,
@@ -70,6 +72,8 @@ struct VerifySettings {
   static constexpr double in_metres = 1e-2, in_millimetres = 1e-5; ///< m/s: from there on
   static constexpr double untold = 1e-9;       ///< scaled or SI: less only says how rounding went
   static constexpr double percent = 100;       ///< of a whole
+  static constexpr int told_digits = 3;        ///< of a number: as answers are printed
+  static constexpr double decade = 10;         ///< a tolerance is proposed as a power of it
   static constexpr std::size_t told_names = 8; ///< of a scene's, in a sentence
   static constexpr double solves = 1e-8; ///< scaled: what is left of a basis that is a solution's
 };

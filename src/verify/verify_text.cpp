@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/verify.hpp"
@@ -128,19 +130,37 @@ std::string own_sentence(const VerifyReport& report) {
   return "lcpush's own answer " + own_words(report.own) + ".\n";
 }
 
-Index broken_laws(const VerifyReport& report) {
-  return std::count_if(report.rows.begin(), report.rows.end(),
-                       [&](const BrokenRow& row) { return !(row.scaled <= report.tolerance); });
+/// Without what forces that were fitted to a wrong given number are off by.
+std::vector<BrokenRow> broken_rows(const VerifyReport& report) {
+  std::vector<BrokenRow> broken;
+  for (const BrokenRow& row : report.rows) {
+    const bool is_fitted = !broken.empty() && !broken.front().law &&
+                           row.unit == broken.front().unit &&
+                           row.si < VerifySettings::of_given * broken.front().si;
+    if (!(row.scaled <= report.tolerance) && !is_fitted) broken.push_back(row);
+  }
+  return broken;
 }
 
 /// The rows that break a law: "  dissipation, by 0.14 m/s^2: friction of left.1 ..".
-std::string broken_lines(const VerifyReport& report) {
+std::string broken_lines(const std::vector<BrokenRow>& rows) {
   std::string text;
-  for (const BrokenRow& row : report.rows)
-    if (!(row.scaled <= report.tolerance))
-      text +=
-          std::string("  ") + law_text(row) + ", " + by(row.si, row.unit) + ": " + row.name + "\n";
+  for (const BrokenRow& row : rows)
+    text +=
+        std::string("  ") + law_text(row) + ", " + by(row.si, row.unit) + ": " + row.name + "\n";
   return text;
+}
+
+/// Of a number that would be right with more digits than it was printed with.
+std::string rounding_sentence(const VerifyReport& report) {
+  const BrokenRow& row = report.rows[report.told];
+  if (row.law || !row.found || !row.lawful || row.scaled < report.residual) return "";
+  int digits = VerifySettings::told_digits;
+  while (std::strtod(in_digits(*row.found, digits).c_str(), nullptr) != *row.found) ++digits;
+  if (std::strtod(in_digits(*row.lawful, digits).c_str(), nullptr) != *row.found) return "";
+  return "That is within the rounding of " + counted(digits, "digit") + ": --tolerance " +
+         printed("%g", std::pow(VerifySettings::decade, std::ceil(std::log10(report.residual)))) +
+         " takes it.\n";
 }
 
 /// In SI units, of the row that is worst in scaled ones.
@@ -157,9 +177,10 @@ std::string brief_verdict(const VerifyReport& report) {
                      fit_sentence(report, valid ? "" : worst_size(report));
   for (const std::string& what : report.completed) text += "Filled in: " + what + ".\n";
   if (valid) return text + own_sentence(report);
+  const std::vector<BrokenRow> broken = broken_rows(report);
   // Of a single law the first sentence has said it.
-  if (broken_laws(report) < 2) return text;
-  return text + "\nThe laws that do not hold, and their worst rows:\n" + broken_lines(report);
+  if (broken.size() < 2) return text + rounding_sentence(report);
+  return text + "\nThe laws that do not hold, and their worst rows:\n" + broken_lines(broken);
 }
 
 std::string law_table(const VerifyReport& report) {
@@ -187,7 +208,7 @@ std::string verify_text(const SceneFile& file, const VerifyReport& report, Telli
   }
   facts.push_back(metrics_fact(report.metrics));
   facts.push_back({"Paper's objective", short_number(report.objective) + " N m/s^2"});
-  const std::string broken = broken_lines(report);
+  const std::string broken = broken_lines(broken_rows(report));
   return text + headline(report) + hint_line(report) + imbalance_sentence(report) + "\n" +
          facts_text(facts) + "\n" + law_table(report) +
          (broken.empty() ? "" : "\nThe worst rows of the broken laws:\n" + broken);

@@ -213,12 +213,16 @@ wrong["bodies"][2]["force"][0] = 4.7
 status, report = verify(block, wrong)
 assert status == 1 and [law for law in report["laws"] if not report["laws"][law]["holds"]] == ["given"], report
 given = report["laws"]["given"]
+assert "rounding" not in run("verify", block, answer_path).stdout  # 4.7 is not 4.64 in three digits
 assert abs(given["si"] - 0.0588) < 1e-6 and given["found"] == 4.7 and abs(given["lawful"] - 4.6412) < 1e-6, given
 assert abs(report["imbalance"][0] - 0.0588) < 1e-6, report
 assert "because the force of wall along x is 4.7 N, where the laws leave 4.64 N: 0.059 N (1.27 %) too much" in " ".join(
     run("verify", block, answer_path).stdout.split()), given
 status, report = verify(block, sums(3))  # 4.64 and 1.18 of 4.6412 and 1.1772
 assert status == 1 and abs(report["laws"]["given"]["si"] - 0.0028) < 1e-5, report
+said = " ".join(run("verify", block, answer_path).stdout.split())
+takes = said.split("That is within the rounding of 3 digits: --tolerance ")[1].split(" takes it.")[0]
+assert verify(block, sums(3), "--tolerance", takes)[1]["verdict"] == "same solution", takes
 assert verify(block, sums(3), "--tolerance", "0.01")[1]["verdict"] == "same solution"
 still = {**sums(), "object": {"acceleration": [0.02, 0, 0, 0, 0, 0]}}
 status, report = verify(block, still)
