@@ -43,7 +43,9 @@ Rational extent(const TableReader& object, const TableReader& contact, Index axi
       static_cast<Index>(object.has("axis") ? object.choice("axis", {"x", "y", "z"}) : 2);
   if (along != axis)
     contact.fail("on", "the cylinder's flat faces are \"+" + axis_name(along) + "\" and \"-" +
-                           axis_name(along) + "\"; on its side, give center and normal");
+                           axis_name(along) + "\"; on its side, remove on and give normal and " +
+                           (contact.text("shape") == "line" ? "ends = [[x, y, z], [x, y, z]]"
+                                                            : "center = [x, y, z]"));
   return object.number<Rational>("cylinder_length", Sign::positive);
 }
 
@@ -107,12 +109,13 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
   const std::size_t face = contact.choice("on", face_names);
   const auto axis = static_cast<Index>(face / 2);
   const std::string x = axis_name(axis_beside(axis, 0)), y = axis_name(axis_beside(axis, 1));
-  if (contact.has("normal"))
-    contact.fail("normal", "on = " + quoted(face_names[face]) +
-                               " gives the normal, into that face; remove normal or on");
   if (contact.has("frame") && contact.choice("frame", {"object", "scene"}) == 1)
     contact.fail("frame",
                  "on is a face of the object, wherever that is turned; remove frame, or on");
+  const Rational apart = extent(object, contact, axis);
+  if (contact.has("normal"))
+    contact.fail("normal", "on = " + quoted(face_names[face]) +
+                               " gives the normal, into that face; remove normal or on");
   const std::string shape = contact.is_text("shape") ? contact.text("shape") : "";
   if (shape == "points")
     contact.fail("on", "on places the center of a shape, and a \"points\" has none; give normal "
@@ -126,7 +129,7 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
   const Rational side(face % 2 == 0 ? 1 : -1);
   Vector3<Rational> at = Vector3<Rational>::Zero(), normal = at;
   if (object.has("center_of_mass")) at = object.vector3<Rational>("center_of_mass");
-  at[axis] += side * extent(object, contact, axis) / Rational(2);
+  at[axis] += side * apart / Rational(2);
   normal[axis] = -side;
   Vector3<Rational> offset = Vector3<Rational>::Zero();
   if (center != nullptr) {

@@ -190,7 +190,7 @@ ON_REFUSED = [
     (BOX, 'on = "+z"\ncenter = 3', 10, "center must be a list of 2 numbers"),
     ("inertia = [1, 1, 1]\n", 'on = "+z"', 9, "on needs an [object] with a box, a cylinder or a ball"),
     ("sphere_radius = 0.1\n", 'on = "+z"\ncenter = [0, 1e-3]', 9, 'on a ball on places a "point" without an offset'),
-    (CYLINDER % "x", 'on = "+z"', 10, 'flat faces are "+x" and "-x"; on its side, give center and normal'),
+    (CYLINDER % "x", 'on = "+z"', 10, 'flat faces are "+x" and "-x"; on its side, remove on and give normal and center = [x, y, z]'),
 ]
 
 
