@@ -46,7 +46,9 @@ InputError::InputError(const std::string& file, int line, const std::string& mes
 std::string quoted(std::string_view text) {
   std::size_t length = std::min(text.size(), longest_shown);
   while (length < text.size() && length > 0 && continues_character(text[length])) --length;
-  std::string result = "\"";
+  const bool has_quotes = text.find('"') < text.size() && text.find('\'') >= text.size();
+  const std::string quote = has_quotes ? "'" : "\"";
+  std::string result = quote;
   for (const char c : text.substr(0, length)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7F) {
@@ -56,7 +58,7 @@ std::string quoted(std::string_view text) {
       result += c;
     }
   }
-  return result + (length < text.size() ? "...\"" : "\"");
+  return result + (length < text.size() ? "..." : "") + quote;
 }
 
 std::string shown(double number) {

@@ -51,6 +51,7 @@ IN_SCENES = {  # what is asked of a scene: words that the error has
     "all three numbers are 0": lambda scene: scene.cone((0, 0, 0)),
     "twist must be a vector, not 5": lambda scene: scene.cone(5),
     '"to" must be an array of 3 numbers, got 2': lambda scene: scene.plan((1, 2)),
+    """"set" 'object.mas="1 g"': no key "mas" """: lambda scene: scene.with_values({"object.mas": "1 g"}),
     '"picture" is isometric, front': lambda scene: scene.picture("fron"),
     '"facets" is an even number from 4': lambda scene: scene.pivots(facets=5),
     '"exact" would change that': lambda scene: scene.pivots(exact=True, as_solved=True),

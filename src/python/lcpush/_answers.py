@@ -23,6 +23,15 @@ def _told(value: Any) -> Any:
     return value
 
 
+def _brief(value: Any) -> str:
+    """Of a value in a repr: what is longer than a vector by its size."""
+    if isinstance(value, dict):
+        return f"{{{len(value)} keys}}"
+    if isinstance(value, list) and (len(value) > 6 or any(isinstance(entry, (dict, list)) for entry in value)):
+        return f"[{len(value)} entries]"
+    return f"{value:.6g}" if isinstance(value, float) else repr(value)
+
+
 class Record(Mapping[str, Any]):
     """A part of an answer: its keys are attributes; lists of numbers are arrays. It is a read-only
     dictionary, too."""
@@ -64,7 +73,8 @@ class Record(Mapping[str, Any]):
         return copied
 
     def __repr__(self) -> str:
-        told = self._data.get("name") or self._data.get("text") or ", ".join(self._data)
+        told = self._data.get("name") or self._data.get("text") or ", ".join(
+            f"{key}={_brief(value)}" for key, value in self._data.items())
         return f"<{type(self).__name__} {told}>"
 
 

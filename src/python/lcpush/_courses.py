@@ -132,7 +132,7 @@ class Hold(Answer):
     @property
     def sentence(self) -> str:
         """The first sentence of text()."""
-        return str(self._data["answer"])
+        return super().sentence if "box" in self._data else str(self._data["answer"])
 
 
 class Design(Answer):
