@@ -154,6 +154,23 @@ async function check_sentences(page, name) {
   assert.deepEqual(different.slice(0, 3), [], `${name}: sentences`);
 }
 
+/// Pivots count from 0, in words and in the plot, whose first point is z0 as pivot 0 lets it in.
+async function check_numbering(page, trace) {
+  const count = trace.pivots.length;
+  if (count === 0 || trace.runs.length > 1) return;
+  const step = () => page.locator('#step').textContent();
+  const point = () => page.locator('#chart .here').allTextContents();
+  await go(page, 0);
+  assert.equal(await step(), `Pivot 0 of 0..${count - 1}`);
+  assert.deepEqual(await point(), [], 'no z0 before pivot 0');
+  await go(page, 1);
+  assert.ok((await point()).every((text) => text !== '0'), 'z0 after pivot 0');
+  await go(page, count);
+  assert.equal(await step(), `After pivot ${count - 1} of 0..${count - 1}`);
+  const panels = await page.locator('#chart .line').count();
+  if (count < 60) assert.equal(await page.locator('#chart .dot').count(), panels * count);
+}
+
 /// Every row can be tried: the one that leaves goes on, one that may not says why.
 async function check_tries(page) {
   await go(page, 0);
@@ -281,6 +298,7 @@ async function check_problem(browser, problem) {
       await check_steps(page, trace, problem);
       await check_controls(page);
       await check_sentences(page, name);
+      await check_numbering(page, trace);
       await check_tries(page);
       await check_cones(page, trace);
       branches = await check_branch(page, trace);

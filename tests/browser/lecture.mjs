@@ -25,7 +25,8 @@ async function live(browser) {
     await page.goto('about:blank');
     await page.goto(`file://${out}/${link}`);
     const explorer = link.startsWith('lcp.html') ? page.frameLocator('#frame') : page;
-    await explorer.locator('#step', { hasText: `Step ${/step=(\d+)/.exec(link)[1]} of` }).waitFor();
+    const step = Number(/step=(\d+)/.exec(link)[1]);
+    await explorer.locator('#step', { hasText: new RegExp(`^(Pivot ${step}|After pivot ${step - 1}) of`) }).waitFor();
     assert.equal(await explorer.locator('#guess').isChecked(), link.endsWith('&guess'), link);
     if (link.endsWith('&guess'))
       await explorer.locator('#sentence', { hasText: /Which row leaves/ }).waitFor();
@@ -34,12 +35,12 @@ async function live(browser) {
   await page.goto(`file://${out}/lcp.html`);
   await page.frameLocator('#frame').locator('#step').waitFor();
   await page.evaluate(() => { location.hash = '#problem=4 1; 2 3|-2 -7&step=1'; });
-  await page.frameLocator('#frame').locator('#step', { hasText: 'Step 1 of 2' }).waitFor();
+  await page.frameLocator('#frame').locator('#step', { hasText: 'Pivot 1 of 0..1' }).waitFor();
   assert.equal(await page.inputValue('#q'), '-2 -7');
   assert.equal(await page.inputValue('#examples'), '', 'no textbook problem');
   await page.waitForFunction(() => document.activeElement.id === 'frame');
   await page.keyboard.press('ArrowLeft');
-  await page.frameLocator('#frame').locator('#step', { hasText: 'Step 0 of 2' }).waitFor();
+  await page.frameLocator('#frame').locator('#step', { hasText: 'Pivot 0 of 0..1' }).waitFor();
   await page.keyboard.press('ArrowRight');
   await page.click('#raw-link');
   await page.waitForFunction(() => /^#lcp=.*&step=1$/.test(location.hash));
@@ -65,7 +66,7 @@ async function guess(browser) {
   await page.keyboard.press('Enter');
   assert.equal(await text('tally'), '1 of 2 right at the first guess');
   await page.keyboard.press('Enter'); // the focus has stayed in its row
-  assert.match(await text('step'), /Step 2 of/);
+  assert.match(await text('step'), /Pivot 2 of/);
   await page.keyboard.press('l');
   assert.deepEqual(await page.locator('.tableau').evaluate((table) => [getComputedStyle(table).fontSize,
     table.clientWidth <= table.parentElement.clientWidth]), ['20px', true], 'large, and nothing cut');

@@ -232,7 +232,7 @@ async function playing(browser) {
   await page.click('#pivots');
   assert.doesNotMatch(await frame.locator('h1').textContent(), /after/);
   await frame.locator('#forward').click();
-  assert.match(await frame.locator('#step').textContent(), /Step 1 of/);
+  assert.match(await frame.locator('#step').textContent(), /Pivot 1 of/);
   // The explorer takes its palette and what it draws with from this page.
   assert.match(await frame.locator('html').evaluate((root_there) =>
     getComputedStyle(root_there).getPropertyValue('--paper')), /#/);

@@ -38,7 +38,10 @@
     by_id('play').addEventListener('click', toggle);
     by_id('speed').addEventListener('change', () => { if (timer !== null) { stop(); play(); } });
     by_id('slider').addEventListener('input', (event) => choose(Number(event.target.value)));
-    by_id('jump').addEventListener('change', (event) => choose(Number(event.target.value)));
+    by_id('jump').addEventListener('change', (event) => {
+      const frame = app.path.frames.findIndex(({ pivot }) => pivot === Number(event.target.value));
+      choose(frame < 0 ? app.path.last : frame);
+    });
     by_id('return').addEventListener('click', () => { stop(); app.return_to_recorded(); });
 
     document.addEventListener('keydown', (event) => {
@@ -67,10 +70,11 @@
       const slider = by_id('slider');
       slider.max = last;
       slider.value = app.frame;
-      slider.setAttribute('aria-valuetext', `step ${app.frame} of ${last}`);
-      by_id('jump').max = last;
-      by_id('jump').value = app.frame;
-      by_id('count').textContent = `of ${last}`;
+      slider.setAttribute('aria-valuetext', app.path.where(app.frame));
+      const pivots = app.path.pivots.length;
+      by_id('jump').max = pivots;
+      by_id('jump').value = app.path.frames[app.frame].done;
+      by_id('count').textContent = `of 0..${Math.max(0, pivots - 1)}`;
       for (const id of ['first', 'back']) by_id(id).disabled = app.frame === 0;
       for (const id of ['forward', 'last']) by_id(id).disabled = app.frame === last;
     }

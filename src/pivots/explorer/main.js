@@ -184,7 +184,7 @@
       const { on, tried, right } = this.guesses;
       by_id('tally').textContent = on ? `${right} of ${tried.size} right at the first guess` : '';
       document.body.classList.toggle('on-branch', this.path.branch !== null);
-      by_id('step').textContent = `Step ${this.frame} of ${this.path.last}`;
+      by_id('step').textContent = this.path.where(this.frame);
       explorer.view_sentence.update(this);
       this.tableau.update(changed);
       explorer.view_pairs.update(this);

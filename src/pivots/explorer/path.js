@@ -104,6 +104,13 @@
       return pivot === null ? null : this.pivots[pivot];
     }
 
+    /// Pivots count from 0, as in texts: the one about to be made, or at the end of a run the last one made.
+    where(frame_number) {
+      const { pivot, done } = this.frames[frame_number];
+      if (pivot === null && done === 0) return 'No pivot';
+      return `${pivot === null ? `After pivot ${done - 1}` : `Pivot ${pivot}`} of 0..${this.pivots.length - 1}`;
+    }
+
     /// The dictionary at a frame. Not to be changed: it is kept.
     dictionary(frame_number) {
       const known = this.states.get(frame_number);

@@ -1,4 +1,4 @@
-// z0 against the step. Where values have a part times S, that part has a panel of its own above.
+// z0 after each pivot, from pivot 0, which lets it in. Where values have a part times S, that part has a panel of its own above.
 (() => {
   const { svg, replace, by_id } = drawing.elements;
   const { picture } = explorer.elements;
@@ -17,41 +17,45 @@
     return result;
   }
 
-  function line(path, values, x, y) {
-    let run = -1;
-    return path.frames.map((frame, k) => {
-      const begin = frame.run !== run;
-      run = frame.run;
-      return `${begin ? 'M' : 'L'}${x(k).toFixed(1)} ${y(values[k]).toFixed(1)}`;
-    }).join('');
+  /// The frames after a pivot: all but the first of each run.
+  const after_pivots = (path) => path.frames.map((frame, k) => ({ ...frame, k }))
+    .filter(({ done, run }) => done > path.runs[run].first_pivot);
+
+  function line(places, x, y) {
+    return places.map(({ run, done, value }, i) =>
+      `${i > 0 && places[i - 1].run === run ? 'L' : 'M'}${x(done - 1).toFixed(1)} ${y(value).toFixed(1)}`).join('');
   }
+
+  const last_pivot = (app) =>
+    Math.max(app.path.pivots.length, app.path.branch ? app.recorded.pivots.length : 0, 2) - 1;
 
   function panel(app, level, top, height, label) {
     const { path, frame, problem, recorded } = app;
-    const of = (which) => which.frames.map((_, k) => problem.number(which.z0(k)[level]));
-    const values = of(path);
-    const shadow = path.branch ? of(recorded) : null;
-    const all = shadow ? values.concat(shadow) : values;
+    const of = (which) => after_pivots(which).map((place) => ({ ...place,
+      value: problem.number(which.z0(place.k)[level]) }));
+    const places = of(path);
+    const shadow = path.branch ? of(recorded) : [];
+    const all = places.concat(shadow).map(({ value }) => value);
     const [least, most] = [Math.min(0, ...all), Math.max(...all, 0)];
-    const last = Math.max(path.last, shadow ? recorded.last : 0, 1);
     const y = (value) => top + height - height * (value - least) / (most - least || 1);
-    const x = (k) => left + (width - left - right) * k / last;
-    const here = values[frame];
-    const side = x(frame) > width - 80 ? 'end' : 'start';
+    const x = (pivot) => left + (width - left - right) * pivot / last_pivot(app);
+    const here = places.find(({ k }) => k === frame);
+    const at = here && x(here.done - 1);
+    const side = at > width - 80 ? 'end' : 'start';
     return [
       marks(least, most).map((value) => [
         svg('line', { class: 'grid', x1: left, x2: width - right, y1: y(value), y2: y(value) }),
         svg('text', { x: left - 6, y: y(value) + 4, 'text-anchor': 'end' }, decimal(value, 3))]),
       svg('text', { class: 'axis', x: left, y: top - 9 }, label),
-      shadow && svg('path', { class: 'shadow', d: line(recorded, shadow, x, y) }),
-      svg('path', { class: 'line', d: line(path, values, x, y) }),
-      path.last <= 60 && values.map((value, k) => svg('circle', { class: 'dot', cx: x(k),
+      svg('path', { class: 'shadow', d: line(shadow, x, y) }),
+      svg('path', { class: 'line', d: line(places, x, y) }),
+      path.last <= 60 && places.map(({ done, value }) => svg('circle', { class: 'dot', cx: x(done - 1),
         cy: y(value), r: 2.5 })),
-      svg('line', { class: 'now', x1: x(frame), x2: x(frame), y1: top - 4, y2: top + height }),
-      svg('circle', { class: 'now', cx: x(frame), cy: y(here), r: 5 }),
-      svg('text', { class: 'here', x: x(frame) + (side === 'end' ? -9 : 9),
-        y: y(here) - 9 < top + 10 ? y(here) + 19 : y(here) - 9, 'text-anchor': side },
-      decimal(here, 4)),
+      here && [svg('line', { class: 'now', x1: at, x2: at, y1: top - 4, y2: top + height }),
+        svg('circle', { class: 'now', cx: at, cy: y(here.value), r: 5 }),
+        svg('text', { class: 'here', x: at + (side === 'end' ? -9 : 9),
+          y: y(here.value) - 9 < top + 10 ? y(here.value) + 19 : y(here.value) - 9, 'text-anchor': side },
+        decimal(here.value, 4))],
     ];
   }
 
@@ -63,21 +67,23 @@
     const panels = large ? [panel(app, 0, 26, 70, 'z0, times S'),
       panel(app, 1, 142, 84, 'z0, finite part')] : [panel(app, problem.levels - 1, 26, 110, 'z0')];
     const height = large ? 262 : 172;
-    const last = Math.max(path.last, path.branch ? app.recorded.last : 0, 1);
-    const step_marks = marks(0, last).filter(Number.isInteger);
+    const last = last_pivot(app);
+    const pivot_marks = marks(0, last).filter(Number.isInteger);
     const jump = (event) => {
       const bounds = event.currentTarget.getBoundingClientRect();
       const across = (event.clientX - bounds.left) / bounds.width * width;
-      app.go(Math.round((across - left) / (width - left - right) * last));
+      const nearest = Math.round((across - left) / (width - left - right) * last);
+      const place = nearest < last ? after_pivots(path).find(({ done }) => done > nearest) : null;
+      app.go(place ? place.k : path.last);
     };
     replace('chart', picture({ viewBox: `0 0 ${width} ${height}`, class: 'chart', width,
       onclick: jump },
-      'z0 against the step', `At step ${frame} z0 is ${
-        explorer.number_text.value(problem, path.z0(frame))}. Click to jump to a step.`,
-      panels, step_marks.map((k) => svg('text', { x: left + (width - left - right) * k / last,
+      'z0 after each pivot', `${path.where(frame)}: z0 is ${
+        explorer.number_text.value(problem, path.z0(frame))}. Click to jump to a pivot.`,
+      panels, pivot_marks.map((k) => svg('text', { x: left + (width - left - right) * k / last,
         y: height - 18, 'text-anchor': 'middle' }, k)),
       svg('text', { class: 'axis', x: width - right, y: height - 3, 'text-anchor': 'end' },
-        'step')));
+        'after pivot')));
   }
 
   explorer.view_chart = { update };

@@ -48,10 +48,10 @@
     const { from_pivot, length } = path.outcome.cycle;
     const frame = path.frames.findIndex(({ pivot, done }) => done === from_pivot + 1
       && (pivot !== null || done === path.pivots.length));
-    return [h('p', {}, `Steps ${frame} and ${frame + length} have the same basis: ${
+    return [h('p', {}, `After pivots ${from_pivot} and ${from_pivot + length} the basis is the same: ${
       explorer.words.many(length, 'pivot')} lead back to where they began, and the rule would `
       + 'repeat them for ever.'),
-    h('button', { type: 'button', onclick: () => app.go(frame) }, `Go to step ${frame}`)];
+    h('button', { type: 'button', onclick: () => app.go(frame) }, `Go to pivot ${from_pivot + 1}`)];
   }
 
   function update(app) {

@@ -61,7 +61,7 @@
     banner.hidden = !path.branch;
     if (path.branch) {
       const chosen = path.pivots[path.branch.pivot].leaving;
-      replace('branch-words', h('strong', {}, 'Your branch'), ` since step ${path.branch.frame}: `,
+      replace('branch-words', h('strong', {}, 'Your branch'), ` since pivot ${path.branch.pivot}: `,
         name(problem.names[chosen]), ` leaves, later ties by the ${
           explorer.words.rule_words[path.branch.rule]}; it ${
           explorer.words.status_words[path.outcome.status].replace('solved', 'is solved')
