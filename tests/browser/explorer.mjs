@@ -245,6 +245,26 @@ async function check_branch(page, trace) {
   return 1;
 }
 
+/// Large, on a projector of 1280 x 720: the tableau ends above the buttons, a small one is seen whole, and one
+/// that scrolls says so.
+async function check_room(page, size) {
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await go(page, 1);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.keyboard.press('l');
+  const seen = await page.evaluate(() => {
+    const box = document.getElementById('tableau');
+    return { more: document.getElementById('more').textContent,
+      hides: box.scrollWidth > box.clientWidth + 1 || box.scrollHeight > box.clientHeight + 1,
+      under: box.getBoundingClientRect().bottom > document.querySelector('.controls').getBoundingClientRect().top };
+  });
+  assert.ok(!seen.under, 'rows under the buttons');
+  assert.equal(seen.hides, seen.more !== '', 'says that it scrolls');
+  if (size <= 5) assert.ok(!seen.hides, 'a small tableau is seen whole');
+  await page.keyboard.press('l');
+  await page.setViewportSize(wide.viewport);
+}
+
 async function check_layout(page, where, width) {
   const faults = await page.evaluate((viewport) => {
     const found = [];
@@ -302,6 +322,7 @@ async function check_problem(browser, problem) {
       await check_tries(page);
       await check_cones(page, trace);
       branches = await check_branch(page, trace);
+      await check_room(page, trace.size);
     }
     const { last } = await page.evaluate(() => window.lcpush.state());
     for (const step of new Set([0, Math.floor(last / 2), last])) {

@@ -11,6 +11,7 @@ export const problems = [
   { name: 'murty_ray', arguments: [...textbook('murty_2_9'), '--exact'], status: 'ray' },
   { name: 'murty_decimals', arguments: textbook('murty_2_11'), status: 'solved' },
   { name: 'floudas_cover', arguments: [...textbook('floudas_10_2_4'), '--exact'] },
+  { name: 'coin', arguments: scene('coin'), status: 'solved' },
   { name: 'dropped', arguments: scene('dropped'), status: 'solved', most_steps: 20, rigid: false },
   { name: 'tipping', arguments: scene('tipping'), status: 'solved', most_steps: 20 },
   { name: 'tipping_exact', arguments: [...scene('tipping'), '--exact'], status: 'solved',

@@ -20,20 +20,50 @@
   const entry_text = (dictionary, r, c) => (dictionary.is_noise(r, c) ? '0'
     : explorer.number_text.scalar(app.problem, dictionary.entry(r, c), app.as_fractions));
 
+  const head_row = 50; // as explorer.css has it
+
+  /// In a room, the height between the page's words and its buttons, where that is enough for some rows.
+  function height_in_room() {
+    const above = box.getBoundingClientRect().top + window.scrollY;
+    return Math.max(240, window.innerHeight - above - document.querySelector('.controls').offsetHeight - 8);
+  }
+
+  /// Columns and rows draw together, as far as their numbers let them, so that a tableau that nearly fits does.
   function sizes() {
     const small = narrow();
-    const room = document.body.classList.contains('room') ? 1.4 : 1;
-    const value = room * (app.problem.levels === 2 ? 172 : small ? 74 : 100);
-    const head = room * (small ? 62 : 112);
-    // Columns draw together, as far as their numbers let them, so that a tableau that nearly fits does.
+    const is_room = document.body.classList.contains('room');
+    const room = is_room ? 1.4 : 1;
     const dictionary = app.path.dictionary(app.frame);
-    const free = (box.parentElement.clientWidth - 2 - head - 2 * value) / dictionary.width;
+    const across = box.parentElement.clientWidth - 2;
+    const head = room * (small ? 62 : 112);
     const widest = room * (app.problem.exact ? 108 : 94);
-    const least = dictionary.width > all_of_it ? widest : room * Math.max(70, 20 + 9 * Math.max(
-      ...dictionary.rows.flatMap((_, r) => dictionary.columns.map((__, c) => entry_text(dictionary, r, c).length))));
-    return { row: room * (small || coarse() ? 46 : 34), head, value, ratio: value,
-      column: Math.floor(Math.min(widest, Math.max(least, free))) };
+    const for_letters = (texts) => room * Math.max(70, 20 + 9 * Math.max(...texts.map((text) => text.length)));
+    const is_long = dictionary.width > all_of_it;
+    const least = is_long ? widest : for_letters(dictionary.rows.flatMap((_, r) =>
+      dictionary.columns.map((__, c) => entry_text(dictionary, r, c))));
+    let value = room * (app.problem.levels === 2 ? 172 : small ? 74 : 100);
+    if (!is_long) {
+      const texts = dictionary.rows.map((_, r) => value_text(dictionary, r))
+        .concat((app.path.step(app.frame)?.ratios ?? []).map((ratio) => (ratio === null ? '' : app.text(ratio))));
+      const spare = (across - head - least * dictionary.width) / 2;
+      value = Math.min(value, Math.max(for_letters(texts), spare));
+    }
+    const free = (across - head - 2 * value) / dictionary.width;
+    const row = room * (small || coarse() ? 46 : 34);
+    const rows = is_room ? (height_in_room() - head_row - 2) / dictionary.size : row;
+    return { row: Math.floor(Math.min(row, Math.max(30, rows))), head, value: Math.floor(value),
+      ratio: Math.floor(value), column: Math.floor(Math.min(widest, Math.max(least, free))) };
   }
+
+  /// Which way the tableau goes on out of sight.
+  function tell_what_is_hidden() {
+    const hidden = [box.scrollWidth > box.clientWidth + 1 && 'columns \u2192',
+      box.scrollHeight > box.clientHeight + 1 && 'rows \u2193'].filter(Boolean);
+    by_id('more').textContent = hidden.length ? `scrolls: more ${hidden.join(', more ')}` : '';
+  }
+
+  const value_text = (dictionary, r) => (dictionary.value(r).every((_, k) => dictionary.is_value_noise(r, k)) ? '0'
+    : explorer.number_text.value_of_row(app.problem, dictionary, r, app.as_fractions));
 
   /// The first and last index to draw of `count`, each `size` long.
   function range(count, scrolled, seen, size) {
@@ -106,15 +136,12 @@
     const tied = now.tied.has(variable);
     const role = leaves ? 'leaves' : tied ? 'tied' : null;
     const kind = [leaves && 'leaving', tied && 'tied'].filter(Boolean).join(' ');
-    const value = dictionary.value(r);
-    const quiet = value.every((_, k) => dictionary.is_value_noise(r, k));
+    const value = value_text(dictionary, r);
     const space = h('td', { class: 'space', 'aria-hidden': 'true' });
     return h('tr', { class: kind || null, 'data-row': r, 'aria-rowindex': r + 2 },
       h('th', { scope: 'row', title: problem.meanings[variable] || null },
         name(problem.names[variable]), role && h('span', { class: 'role' }, role)),
-      h('td', { class: quiet ? 'value zero' : 'value', 'data-row': r },
-        quiet ? '0'
-          : explorer.number_text.value_of_row(problem, dictionary, r, app.as_fractions)),
+      h('td', { class: value === '0' ? 'value zero' : 'value', 'data-row': r }, value),
       ratio_cell(now, r), first > 0 && space,
       from_to(first, last).map((c) => entry_cell(now, r, c)),
       last < dictionary.width && space.cloneNode());
@@ -126,7 +153,7 @@
     const size = sizes();
     const fixed = size.head + size.value + size.ratio;
     const columns = range(dictionary.width, box.scrollLeft - fixed, box.clientWidth, size.column);
-    const rows = range(dictionary.size, box.scrollTop - 50, box.clientHeight, size.row);
+    const rows = range(dictionary.size, box.scrollTop - head_row, box.clientHeight, size.row);
     const key = `${columns} ${rows}`;
     if (!force && key === drawn) return;
     drawn = key;
@@ -157,6 +184,8 @@
     box.style.setProperty('--head', `${size.head}px`);
     box.style.setProperty('--value', `${size.value}px`);
     box.style.setProperty('--row', `${size.row}px`);
+    box.style.setProperty('--height-in-room', `${height_in_room()}px`);
+    tell_what_is_hidden();
   }
 
   /// How far to scroll for the cell at `begin`, of which `sticky` must not cover anything.
@@ -177,8 +206,8 @@
       box.scrollLeft = in_sight(fixed + now.column * size.column, size.column,
         box.scrollLeft, box.clientWidth, sticky, spare);
     if (now.row >= 0)
-      box.scrollTop = in_sight(50 + now.row * size.row, size.row,
-        box.scrollTop, box.clientHeight, 50, size.row);
+      box.scrollTop = in_sight(head_row + now.row * size.row, size.row,
+        box.scrollTop, box.clientHeight, head_row, size.row);
   }
 
   function show_cell(r, c) {
