@@ -42,7 +42,7 @@ def commands(markdown):
 
 def live(words):
     """The page's name, and what its address carries: lcp.html the problem, others only a pivot."""
-    plain = [word for word in words if word not in ("--exact", "--choose")]
+    plain = [word for word in words if word not in ("--exact", "--choose", "-v")]
     if plain[0] == "--M" and len(plain) == 4:
         problem = plain[1], plain[3]
     elif len(plain) == 2 and plain[0].endswith(".mtx"):
@@ -68,7 +68,7 @@ def write_live(tool, folder):
     pages = {live(words)[0]: words for page in PAGES for words, _ in commands((TEACH / f"{page}.md").read_text())}
     for name, words in pages.items():
         if name != "lcp.html":
-            ask("pivots", *(word for word in words if word != "--choose"), "--format", "html", into=name)
+            ask("pivots", *(word for word in words if word not in ("--choose", "-v")), "--format", "html", into=name)
 
 
 # Markdown, as far as these texts use it.

@@ -130,8 +130,7 @@ void tell_doubts(const Arguments& arguments) {
 int answer(const Command& command, const Arguments& arguments) {
   refuse_certificate_without_file(arguments);
   const std::string format = arguments.text("format").value_or(command.formats[0]);
-  if (format == "html" && command.formats[0] == "html")
-    refuse_page_on_terminal(arguments, command.name);
+  if (format == "html") refuse_page_on_terminal(arguments, command.name);
   const double seconds = limit_time(command, arguments);
   commands::Result result;
   {

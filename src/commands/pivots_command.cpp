@@ -92,7 +92,7 @@ Result run_pivots(const Values& values, Listener& listener) {
                                            : format == "svg"   ? pivots_svg(traced)
                                            : format == "html"
                                                ? pivots_html(traced, push)
-                                               : pivots_text(traced, values.telling())};
+                                               : pivots_text(traced, values.telling(), push)};
 }
 
 } // namespace
@@ -123,7 +123,7 @@ Command pivots_command() {
           {"as-solved", "", "replay what solve or lcp does: scaled, generic covers, all rounds"},
           {"facets", "G", "sides of a scene's friction pyramids (default 4)"},
           {"pressure", "LAW", "pad, even or rigid instead of the scene's"},
-          {"verbose", "", "also the tableaus of more than 12 unknowns; -v for short", false, true},
+          {"verbose", "", "every pivot of more than 12 unknowns too; -v for short", false, true},
           set_option,
           seconds_option,
           format_option("text (default), json, latex, svg or html; --json for short", "NAME"),

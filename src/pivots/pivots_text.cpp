@@ -9,7 +9,17 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index most_rows = 12; // of a tableau that is read, and fits a terminal of 80 columns
+constexpr Index most_rows = 12;      // of a tableau that is read, and fits a terminal of 80 columns
+constexpr std::size_t most_tied = 5; // names of one tie
+
+/// The first few of a tie's names, and how many there are.
+std::string tied_names(const PivotTrace& trace, const TracedPivot& pivot) {
+  std::vector<std::string> names = trace.names(pivot.ties);
+  const std::size_t all = names.size();
+  if (all <= most_tied) return joined(names, ", ");
+  names.resize(most_tied);
+  return joined(names, ", ") + ", .. (" + std::to_string(all) + ")";
+}
 
 std::string number_text(const TraceNumber& x) {
   return x.fraction.empty() ? number(x.value) : x.fraction;
@@ -114,8 +124,7 @@ std::string pivot_line(const PivotTrace& trace, std::size_t k) {
   if (ratio) text += " at " + value_text(*ratio);
   text += "; z0 = " + value_text(pivot.z0) + "\n";
   if (!pivot.ties.empty())
-    text +=
-        "  tied: " + joined(trace.names(pivot.ties), ", ") + "; " + tie_words(pivot).text + "\n";
+    text += "  tied: " + tied_names(trace, pivot) + "; " + tie_words(pivot).text + "\n";
   return text + "  " + pivot.sentence + "\n";
 }
 
@@ -138,21 +147,65 @@ std::string unknown_text(const PivotTrace& trace, std::size_t i) {
   return value_text(value);
 }
 
-std::string ending(const PivotTrace& trace) {
-  std::string text = "\n";
+/// How it ended, in a sentence or two.
+std::string verdict(const PivotTrace& trace) {
   const std::string count = counted(static_cast<Index>(trace.pivots.size()), "pivot");
+  if (trace.status == Status::solved)
+    return "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
+  return std::string("Not solved (") + (trace.cycle ? "cycle" : status_text(trace.status)) +
+         ") after " + count + ": " + trace.reason + ".\n" +
+         (trace.ray ? trace.ray->words + "\n" : "");
+}
+
+/// What the answer says of each body and actuator: its points' normal forces together, and how many
+/// of them press and slide.
+std::string answer_by_body(const PivotTrace& trace, const Push& push) {
+  const Layout<double>& layout = push.layout();
+  constexpr double rounding = 1e-9; // of a force in N or a slip in m/s^2
+  const auto z = [&trace](Index i) {
+    const double value = trace.z[static_cast<std::size_t>(i)].value;
+    return value > rounding ? value : 0;
+  };
+  TableRows rows{{"contact", "normal N", "points", "press", "slide"}};
+  for (Index point = 0; point < layout.points;) {
+    const Index body = layout.body[point];
+    double normal = 0;
+    Index points = 0, press = 0, slide = 0;
+    for (; point < layout.points && layout.body[point] == body; ++point, ++points) {
+      const double force = z(layout.normal_index(point));
+      normal += force;
+      press += force > 0 ? 1 : 0;
+      slide += layout.cones[point].generators > 0 && z(layout.slip_index(point)) > 0 ? 1 : 0;
+    }
+    rows.push_back({push.file().body_name(body), brief(normal), std::to_string(points),
+                    std::to_string(press), std::to_string(slide)});
+  }
+  return "\n" + table_text(rows);
+}
+
+/// Of a large problem: that it is large, and the answer.
+std::string brief_text(const PivotTrace& trace, const Push* push) {
+  std::string text = trace.title.empty() ? "" : trace.title + "\n\n";
+  text += counted(trace.size, "unknown") + ", " +
+          counted(static_cast<Index>(trace.pivots.size()), "pivot") +
+          ": too many to read here.\n--format html -o pivots.html steps through them; -v prints "
+          "all.\n\n" +
+          verdict(trace);
+  if (trace.status != Status::solved) return text;
+  for (const std::string& note : trace.notes) text += note + "\n";
+  return push == nullptr ? text : text + answer_by_body(trace, *push);
+}
+
+std::string ending(const PivotTrace& trace) {
+  std::string text = "\n" + verdict(trace);
   if (trace.status == Status::solved) {
-    text += "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
     for (std::size_t i = 0; i < trace.z.size(); ++i)
       if (!is_zero(trace.z[i]) || is_free(trace, i))
         text += unknown_line(trace, 'z', i, unknown_text(trace, i));
     return text;
   }
-  text += std::string("Not solved (") + (trace.cycle ? "cycle" : status_text(trace.status)) +
-          ") after " + count + ": " + trace.reason + ".\n";
   if (!trace.ray) return text;
-  text += trace.ray->words +
-          "\nThe ray v >= 0 with M v + d v0 >= 0, v0 = " + number_text(trace.ray->v0) + ":\n";
+  text += "The ray v >= 0 with M v + d v0 >= 0, v0 = " + number_text(trace.ray->v0) + ":\n";
   for (std::size_t i = 0; i < trace.ray->v.size(); ++i)
     if (!is_zero(trace.ray->v[i]))
       text += unknown_line(trace, 'v', i, number_text(trace.ray->v[i]));
@@ -182,24 +235,19 @@ std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
   return table_text(cells_of(as_text, trace, tableau, pivot));
 }
 
-std::string pivots_text(const PivotTrace& trace, Telling telling) {
-  const bool has_tableaus = telling == Telling::full || trace.size <= most_rows;
-  std::string text = header(trace);
-  text += has_tableaus
-              ? legend(trace)
-              : "The tableaus and the list of the unknowns are left out: -v shows them, and\n"
-                "--format html writes a page.\n";
+std::string pivots_text(const PivotTrace& trace, Telling telling, const Push* push) {
+  if (telling == Telling::brief && trace.size > most_rows) return brief_text(trace, push);
+  std::string text = header(trace) + legend(trace);
   std::size_t run = 0;
   for (std::size_t k = 0; k < trace.pivots.size(); ++k) {
     for (; run < trace.runs.size() && trace.runs[run].first_pivot == k; ++run)
       if (trace.runs.size() > 1) text += "\nStart " + trace.runs[run].title + ".\n";
     text += pivot_line(trace, k);
-    if (has_tableaus && trace.pivots[k].before)
+    if (trace.pivots[k].before)
       text += tableau_text(trace, *trace.pivots[k].before, &trace.pivots[k]);
   }
   text += ending(trace);
-  return has_tableaus && trace.last ? text + "\n" + tableau_text(trace, *trace.last, nullptr)
-                                    : text;
+  return trace.last ? text + "\n" + tableau_text(trace, *trace.last, nullptr) : text;
 }
 
 namespace {

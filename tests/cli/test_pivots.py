@@ -154,6 +154,16 @@ assert json.loads(inside)["pivots"][0]["tableau"] is None
 evil = run("--M", "1", "--q", "-1", "--format", "html").stdout
 assert evil.count("</script>") == page.count("</script>")
 
+# A large problem: how it ended and the answer by body, in 20 lines; all of it with -v, ties cut.
+slide = "fixtures/scenes/straight_slide.toml"
+short, whole = run(slide).stdout, run(slide, "-v").stdout
+assert short.splitlines()[2].startswith("61 unknowns, 49 pivots: too many") and len(short.splitlines()) <= 20, short
+for body in ("left", "right"):
+    row = next(line.split() for line in short.splitlines() if line.split()[:1] == [body])
+    assert row[1:] == ["20", "4", "4", "4"], row  # 20 N on its four points, which all press and slide
+tied = [line for line in whole.split("\n\n") if "  tied: " in line]
+assert tied and all(len(block.split("tied: ")[1].split(";")[0].split(", ")) <= 6 for block in tied)
+
 # As solved: the run behind `solve`.
 solved = json.loads(subprocess.run(
     [tool, "solve", "fixtures/scenes/tipping.toml", "--json"], cwd=source, text=True,

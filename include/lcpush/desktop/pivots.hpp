@@ -182,8 +182,9 @@ PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options
 PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& story);
 PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, const Story& story);
 
-/// A line and a sentence a pivot; with its tableau if it is small, or all is to be told.
-std::string pivots_text(const PivotTrace& trace, Telling telling);
+/// A line, a sentence and the tableau of each pivot; of more than 12 unknowns how it ended alone,
+/// and of `push`, if there is one, the answer by body, unless all is to be told.
+std::string pivots_text(const PivotTrace& trace, Telling telling, const Push* push);
 /// One object; docs/teach/command.md describes it. `push`, if there is one, adds what is
 /// drawn. Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
 std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus = true);
