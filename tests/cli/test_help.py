@@ -88,7 +88,7 @@ class HelpTest(ToolTest):
     def test_pivots_of_many_unknowns_are_sentences(self):
         brief = run("pivots", SCENES / "straight_slide_point.toml").stdout
         self.assertLess(len(brief.splitlines()), 500)
-        self.assertIn("-v shows them", brief)
+        self.assertIn("-v prints all", brief)
         self.assertGreater(len(run("pivots", SCENES / "straight_slide_point.toml", "-v").stdout.splitlines()), 9999)
         self.assertIn("[1]", run("pivots", SCENES / "coin.toml").stdout)
 
