@@ -193,8 +193,8 @@ def check(c, texts):
         v += q0[i] + push * q1[i]
         require(v == 0 if i in free else min(x[i], v) == 0, f"row {i + 1} fails")
 if __name__ == "__main__":
-    certificate, *files = [pathlib.Path(path).read_bytes() for path in sys.argv[1:]]
-    try: check(json.loads(certificate), files)
+    try: certificate, scene, *more = [pathlib.Path(path).read_bytes() for path in sys.argv[1:]]
+    except (OSError, ValueError): sys.exit(print("usage: lcpush_check.py CERTIFICATE SCENE.toml, both readable", file=sys.stderr) or 2)
+    try: check(c := json.loads(certificate), [scene, *more])
     except Exception as error: sys.exit(f"Refused: {error}.")
-    c = json.loads(certificate)
     print("Accepted: " + SAYS[c["proof"]] + f" Push: {c['push']} times the scene's." * (c["law"] == "literal"))

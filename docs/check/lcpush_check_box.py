@@ -169,7 +169,8 @@ def check(c, text):
 
 
 if __name__ == "__main__":
-    certificate, text = [pathlib.Path(path).read_bytes() for path in sys.argv[1:]]
+    try: certificate, text = [pathlib.Path(path).read_bytes() for path in sys.argv[1:]]
+    except (OSError, ValueError): sys.exit(print("usage: lcpush_check_box.py CERTIFICATE SCENE.toml, both readable", file=sys.stderr) or 2)
     try: check(json.loads(certificate), text)
     except Exception as error: sys.exit(f"Refused: {error}.")
     print("Accepted: " + SAYS)

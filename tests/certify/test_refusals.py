@@ -139,6 +139,11 @@ def forgeries():
 
 
 def main():
+    for name in ("lcpush_check", "lcpush_check_box"):  # a slip of the hand is no refusal
+        for words in ([], ["no_such.json", "no_such.toml"]):
+            done = subprocess.run([sys.executable, ROOT / f"docs/check/{name}.py", *words], capture_output=True, text=True)
+            if done.returncode != 2 or not done.stderr.startswith("usage:"):
+                faults.append(f"{name} {words}: exit {done.returncode}, {done.stderr}")
     made = [(what, stamped(forgery), why) for what, forgery, why in forgeries()]
     for what, (certificate, texts), why in made:
         got = refusal(GENUINE, certificate, texts)
