@@ -46,17 +46,18 @@
       if (length_in(plane, v) > 0) last = angle_in(plane, v);
       return last;
     };
-    const axes = plane.map((k) => `+${'xyz'[k]}`).join(' to ');
     return [
       number(name, unit, 0, most, step, (toml) => tidy(length_in(plane, read(toml))),
         (state, value) => write(state, in_plane(plane, now(state), value, direction(now(state))))),
-      number(`from ${axes}`, '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
+      number(`direction from +${'xyz'[plane[0]]}`, '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
         (state, value) =>
           write(state, in_plane(plane, now(state), length_in(plane, now(state)), value))),
     ];
   }
 
   const choice = (label, options, read, write) => ({ label, options, read, write });
+
+  const usual = 'parallel if opposed';
 
   function of_scene(toml) {
     const gravity = toml.get(edits.top(toml), 'gravity') || [0, 0, 0];
@@ -68,9 +69,9 @@
       choice('pressure', ['pad', 'even', 'rigid'],
         (now) => now.get(edits.top(now), 'pressure') || 'pad',
         (state, value) => edits.set(state.text, edits.top, 'pressure', value)),
-      choice('jaws', ['as usual', 'parallel', 'independent', 'locked'],
-        (now) => now.get(now.first('gripper'), 'jaws') || 'as usual',
-        (state, value) => edits.with_hand(state.text, value === 'as usual' ? '' : value)),
+      choice('jaws', [usual, 'parallel', 'independent', 'locked'],
+        (now) => now.get(now.first('gripper'), 'jaws') || usual,
+        (state, value) => edits.with_hand(state.text, value === usual ? '' : value)),
     ];
   }
 

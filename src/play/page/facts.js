@@ -11,8 +11,8 @@
   function held_words({ answer, grip_margin, is_bound }) {
     if (answer.holds_without_push === null) return ['not known', false];
     if (!answer.holds_without_push) return ['no, it falls', true];
-    const margin = `, with ${is_bound ? 'at most ' : ''}${decimal(grip_margin)} times the grip it needs`;
-    return [`yes${grip_margin ? margin : ''}`, false];
+    const margin = `, with ${is_bound ? 'up to ' : ''}${decimal(grip_margin)} times the grip it needs`;
+    return [`held${grip_margin ? margin : ''}`, false];
   }
 
   function break_words(breaking) {
