@@ -234,8 +234,10 @@ Result run_report(const Values& values, Listener& listener) {
   std::optional<HoldStudy> held;
   if (format == "html" && file.body(0).role == Role::finger && listener.stop(1) == Stop::none)
     content.held = &held.emplace(find_hold(file, {}, asked.options));
-  if (format == "html" && !scene.ranges().empty())
-    content.box = modes_sentence(file, judge_modes(scene));
+  if (format == "html" && !scene.ranges().empty()) {
+    const BoxAnswer box = judge_modes(scene);
+    if (box.verdict != BoxVerdict::not_known) content.box = modes_sentence(file, box);
+  }
   content.scene_text = values.scene_document().text;
   content.command = values.command_line();
   const bool is_whole = content.sweeps.size() == variations.size() && breaks == (pusher >= 0);
