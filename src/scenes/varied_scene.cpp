@@ -55,12 +55,13 @@ void add_table(const std::string& section, const TomlTable& table, const std::st
                Place place, std::vector<Named>& list) {
   for (const TomlEntry& entry : table.entries) {
     const Key& key = *key_called(section, entry.key);
-    const bool whole = is_count(entry);
     place.key = entry.key;
-    Named named{
-        {"", Kind::number, {place}, 0, whole ? "" : key.unit, key.is_linear, whole, 0, "", {}},
-        owner,
-        ""};
+    Named named;
+    named.owner = owner;
+    named.parameter.places = {place};
+    named.parameter.whole = is_count(entry);
+    named.parameter.unit = named.parameter.whole ? "" : key.unit;
+    named.parameter.linear = key.is_linear;
     if (entry.key == "facets" && !entry.value.number()) { // "round" can be made a number
       named.rest = entry.key;
       named.parameter.value = static_cast<double>(SceneFile{}.facets);
@@ -239,6 +240,12 @@ VariedScene::VariedScene(TomlDocument document)
   document_ = std::make_shared<const TomlDocument>(std::move(document));
 }
 
+VariedScene VariedScene::with_document(TomlDocument document) const {
+  VariedScene scene = *this;
+  scene.document_ = std::make_shared<const TomlDocument>(std::move(document));
+  return scene;
+}
+
 VariedScene VariedScene::read(const std::string& path) {
   return parse(read_scene_text(path), scene_label(path));
 }
@@ -328,8 +335,7 @@ VariedScene VariedScene::with_ranges(const std::vector<Parameter>& parameters,
       set_number(value, (ends[k].first + ends[k].second) / Rational(2));
       value.range = {low, high};
     }
-  VariedScene scene = *this;
-  scene.document_ = std::make_shared<const TomlDocument>(std::move(document));
+  VariedScene scene = with_document(std::move(document));
   (void)scene.as_given();
   return scene;
 }
@@ -343,14 +349,11 @@ VariedScene VariedScene::with_only_pusher(const std::string& name) const {
                                             return table.name() == nullptr || *table.name() != name;
                                           }),
                            section.tables.end());
-  VariedScene scene = *this;
-  scene.document_ = std::make_shared<const TomlDocument>(std::move(document));
-  return scene;
+  return with_document(std::move(document));
 }
 
 VariedScene VariedScene::with(const Parameter& parameter, double value) const {
-  VariedScene scene = *this;
-  scene.document_ = std::make_shared<const TomlDocument>(changed(*document_, {parameter}, {value}));
+  VariedScene scene = with_document(changed(*document_, {parameter}, {value}));
   (void)built(*scene.document_, hand_, {parameter}, {value});
   return scene;
 }

@@ -96,6 +96,7 @@ private:
   Hand hand_; // as typed: no change of a number turns one hand into another
 
   explicit VariedScene(TomlDocument document);
+  VariedScene with_document(TomlDocument document) const;
   void set(const std::string& key, const TomlValue& given);
 };
 
