@@ -154,25 +154,27 @@ StaticsProgram::StaticsProgram(const GripStatics& statics, Eigen::MatrixXd D, In
     if (is_padded_[i]) continue;
     const GripStatics::Cone& cone = statics.cones()[i];
     const Index count = cone.directions.cols();
-    if (count == 0) rays_.push_back({i, Eigen::VectorXd()});
+    if (count == 0) rays_.push_back(ConeRay{i, Eigen::VectorXd()});
     for (Index k = 0; k < count; ++k)
       for (const double sign : {1.0, -1.0})
-        if (sign > 0 || cone.is_round) rays_.push_back({i, sign * Eigen::VectorXd::Unit(count, k)});
+        if (sign > 0 || cone.is_round)
+          rays_.push_back(ConeRay{i, sign * Eigen::VectorXd::Unit(count, k)});
   }
 }
 
 Eigen::VectorXd StaticsProgram::column(const ForceRay& ray) const {
-  if (ray.pressure.size() > 0) {
-    Eigen::VectorXd padded = Eigen::VectorXd::Zero(b_.size());
-    padded.head(statics_.rows()) = ray.friction;
-    return padded;
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(b_.size());
+  auto forces = column.head(statics_.rows());
+  if (const PadRay* const of_pad = std::get_if<PadRay>(&ray)) {
+    forces = of_pad->forces;
+    return column;
   }
-  const GripStatics::Cone& cone = statics_.cones()[ray.cone];
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(b_.size());
-  sum.head(statics_.rows()) = cone.normal;
-  for (Index k = 0; k < ray.friction.size(); ++k)
-    sum.head(statics_.rows()) += cone.friction * ray.friction[k] * cone.directions.col(k);
-  return sum;
+  const auto& [c, friction] = std::get<ConeRay>(ray);
+  const GripStatics::Cone& cone = statics_.cones()[c];
+  forces = cone.normal;
+  for (Index k = 0; k < friction.size(); ++k)
+    forces += cone.friction * friction[k] * cone.directions.col(k);
+  return column;
 }
 
 /// The forces of a pad's points against a motion, by the parts of its pressure; without a motion
@@ -219,7 +221,8 @@ double StaticsProgram::add_missing(const Eigen::VectorXd& motion) {
     if (!cone.is_round || cone.directions.cols() == 0 || is_padded_[i]) continue;
     const double lacks = -force_against(cone, motion).dot(motion);
     most = std::max(most, lacks);
-    if (lacks > statics_settings.missing) rays_.push_back({i, friction_against(cone, motion)});
+    if (lacks > statics_settings.missing)
+      rays_.push_back(ConeRay{i, friction_against(cone, motion)});
   }
   for (std::size_t p = 0; p < statics_.pads().size(); ++p)
     most = std::max(most, add_pad_rays(p, motion));
@@ -238,7 +241,7 @@ double StaticsProgram::add_pad_rays(std::size_t p, const Eigen::VectorXd& motion
   const double most = lacks.maxCoeff();
   for (Index k = 0; k < forces.cols(); ++k)
     if (lacks[k] > statics_settings.missing && lacks[k] >= statics_settings.worth * most)
-      rays_.push_back({p, forces.col(k), pad.pressures.col(k)});
+      rays_.push_back(PadRay{p, forces.col(k), pad.pressures.col(k)});
   return most;
 }
 
@@ -328,12 +331,12 @@ std::vector<StaticsProgram::Contact> StaticsProgram::contacts() const {
   for (std::size_t k = 0; k < rays_.size(); ++k) {
     const Index place = first_ray() + static_cast<Index>(k);
     const double force = place < simplex_->point().size() ? simplex_->point()[place] : 0;
-    const ForceRay& ray = rays_[k];
-    if (ray.pressure.size() == 0) {
-      all[ray.cone].normal += force;
+    if (const ConeRay* const ray = std::get_if<ConeRay>(&rays_[k])) {
+      all[ray->cone].normal += force;
       continue;
     }
-    const GripStatics::Pad& pad = statics_.pads()[ray.cone];
+    const PadRay& ray = std::get<PadRay>(rays_[k]);
+    const GripStatics::Pad& pad = statics_.pads()[ray.pad];
     for (std::size_t i = 0; force > 0 && i < pad.cones.size(); ++i) {
       const auto at = static_cast<Index>(i);
       all[pad.cones[i]].normal += force * pad.weights[at] * ray.pressure.dot(pad.places.col(at));

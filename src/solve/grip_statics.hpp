@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "dense/simplex.hpp"
@@ -91,13 +92,18 @@ protected:
   bool is_pressure_tied() const;
 };
 
-/// Forces of which a program knows: normal force 1 at a point, or a pressure of a pad.
-struct ForceRay {
-  std::size_t cone; ///< or the pad
-  /// Of a pyramid a unit vector among its generators; empty: none. Of a pad all of its forces.
-  Eigen::VectorXd friction;
-  Eigen::VectorXd pressure = {}; ///< of a pad
+/// Normal force 1 at a point, with friction.
+struct ConeRay {
+  std::size_t cone;
+  Eigen::VectorXd friction; ///< of a pyramid a unit vector among its generators; empty: none
 };
+/// A pressure of a pad, and all forces that go with it.
+struct PadRay {
+  std::size_t pad;
+  Eigen::VectorXd forces, pressure;
+};
+/// Forces of which a program knows.
+using ForceRay = std::variant<ConeRay, PadRay>;
 
 /// Programs over the same set, { x, f : G f + D x = b }.
 class StaticsProgram {
