@@ -184,6 +184,14 @@ bool has_contacts_on_faces(const TomlDocument& document) {
   });
 }
 
+bool are_all_on_faces(const TomlDocument& document) {
+  return std::all_of(document.sections.begin(), document.sections.end(), [](const auto& section) {
+    return !is_body(section.name) ||
+           std::all_of(section.tables.begin(), section.tables.end(),
+                       [](const TomlTable& table) { return table.find("on") != nullptr; });
+  });
+}
+
 TomlDocument with_typed_places(TomlDocument document) {
   const TableReader object(document.file, document.find("object")->tables[0], "object",
                            schema_of("object"));

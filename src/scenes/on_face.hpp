@@ -12,6 +12,8 @@ namespace lcpush::desktop {
 std::optional<int> axis_in_face(const TomlTable& table, std::size_t i);
 
 bool has_contacts_on_faces(const TomlDocument& document);
+/// Is every body's place given so?
+bool are_all_on_faces(const TomlDocument& document);
 
 /// The same scene, with a normal and a center of three numbers for every `on`, exactly. Throws
 /// InputError. Pre: check_sections().

@@ -71,6 +71,7 @@ public:
                     reader("object").line(),
                     reader("object").line_of({"center_of_mass"}),
                     reader("").has("facets") ? reader("").line_of({"facets"}) : 0,
+                    false,
                     {},
                     0,
                     ""};
@@ -356,6 +357,7 @@ SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_
                        Strokes strokes) {
   if (has_contacts_on_faces(document)) {
     SceneOf<S> scene = build_scene<S>(with_typed_places(document), unsaid_hand, strokes);
+    scene.lines.all_on_faces = are_all_on_faces(document);
     note_ranges(document, scene.lines);
     return scene;
   }

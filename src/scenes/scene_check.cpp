@@ -58,6 +58,12 @@ public:
     check_jaws();
     if (file_.planar) check_plane();
     if (doubts_.empty()) check_sides();
+    if (file_.lines.all_on_faces && !file_.object.center_of_mass.isZero(0))
+      doubt(
+          Doubt::center_of_mass, file_.lines.center_of_mass,
+          "object: it lies around its center_of_mass, and its faces with all contacts on them, so "
+          "this moves nothing; to hold it beside its centre of mass shift the contacts on "
+          "their faces, such as center = [\"-40 mm\", 0], or give center and normal, not on");
     if (file_.lines.ranges > 0)
       doubt(Doubt::middle, file_.lines.ranges,
             "the middle of the ranges is taken, " + file_.lines.middle +

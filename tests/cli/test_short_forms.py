@@ -221,6 +221,12 @@ class Faces(SceneTest):
                         [("pusher", SHAPES[2] + "\nvelocity = [0.1, 0, 0]", places[1])])
         self.certified(text)
 
+    def test_a_centre_of_mass_that_takes_all_contacts_along_is_asked_about(self):
+        both = [("finger", SHAPES[0] + "\ngrip_force = 3", FACES[i][0]) for i in (4, 5)]
+        typed = [("finger", SHAPES[0] + "\ngrip_force = 3", FACES[4][1]), both[1]]
+        for bodies, asks in ((both, True), (typed, False)):
+            self.assertEqual("moves nothing" in unwrapped(run("hold", "-", text=on_faces(BOX, bodies)).stderr), asks)
+
     def test_what_is_refused(self):
         for object_, place, line, said in ON_REFUSED:
             with self.subTest(place):

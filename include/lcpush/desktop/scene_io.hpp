@@ -87,7 +87,8 @@ struct SceneLines {
   };
   std::string file; ///< as messages name it
   int gravity = 0, object = 0, center_of_mass = 0;
-  int facets = 0; ///< 0: the file does not say
+  int facets = 0;            ///< 0: the file does not say
+  bool all_on_faces = false; ///< every contact is given by `on`, and goes where the object is
   std::vector<OfBody> bodies;
   int ranges = 0;     ///< of the first number that has a range; 0: none
   std::string middle; ///< of the ranges, in words
