@@ -10,11 +10,11 @@
 namespace lcpush::desktop {
 namespace {
 
-/// A float of C, to its last bit.
+/// A double of C, to its last bit.
 std::string literal(double x) {
-  std::string text = printed("%.9g", x + 0.0);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text + "f";
+  std::string text = printed("%.17g", x + 0.0);
+  if (const std::string brief = printed("%.9g", x + 0.0); std::stod(brief) == x) text = brief;
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 template <class List> std::string braced(const List& list) {
@@ -77,17 +77,17 @@ std::array<Index, 6> sizes(const SceneFile& file) {
 
 std::string tables(const SceneFile& file) {
   const auto text = [](double x) { return literal(x); };
-  std::string result = table("lcpushf_point", "points", file.points.size(),
+  std::string result = table("LCPUSH(point)", "points", file.points.size(),
                              [&](std::size_t i) { return braced(file.points[i]) + ","; });
-  result += table("float", "weights", file.weights.size(),
+  result += table("REAL", "weights", file.weights.size(),
                   [&](std::size_t i) { return text(file.weights[i]) + ","; });
-  result += table("lcpushf_body", "bodies", file.bodies.size(),
+  result += table("LCPUSH(body)", "bodies", file.bodies.size(),
                   [&](std::size_t b) { return body_text(file, b); });
-  result += table("lcpushf_actuator", "actuators", file.actuators.size(), [&](std::size_t a) {
+  result += table("LCPUSH(actuator)", "actuators", file.actuators.size(), [&](std::size_t a) {
     return "{" + text(file.actuators[a].force) + ", " + text(file.actuators[a].inertia) + "}," +
            comment(file.actuator_names[a]);
   });
-  result += table("lcpushf_drive", "drives", file.drives.size(), [&](std::size_t d) {
+  result += table("LCPUSH(drive)", "drives", file.drives.size(), [&](std::size_t d) {
     const Drive<double>& drive = file.drives[d];
     return "{" + std::to_string(drive.body) + ", " + std::to_string(drive.actuator) + ", " +
            braced(drive.twist) + "},";
@@ -95,7 +95,7 @@ std::string tables(const SceneFile& file) {
   constexpr const char* laws[] = {"LCPUSH_PAD", "LCPUSH_EVEN", "LCPUSH_RIGID"};
   const Eigen::Map<const Eigen::Matrix<double, 9, 1>> inertia(file.object.inertia.data());
   result +=
-      "static const lcpushf_scene scene = {\n    .object = {.mass = " + text(file.object.mass) +
+      "static const LCPUSH(scene) scene = {\n    .object = {.mass = " + text(file.object.mass) +
       ", .inertia = " + braced(inertia) +
       ",\n               .wrench = " + braced(file.object.wrench) +
       "},\n    .gravity = " + braced(file.gravity) +
@@ -122,6 +122,9 @@ std::string c_program(const SceneFile& file) {
          "/* Written by `lcpush export --format c`. Beside lcpush.o of the device bundle:\n"
          " *   gcc -std=c99 -Iinclude main.c lcpush.o -o push && ./push */\n"
          "#include <lcpush/lcpush.h>\n#if __STDC_HOSTED__\n#include <stdio.h>\n#endif\n\n"
+         "#ifdef IN_FLOAT /* for pushes that accelerate by more than a tenth of grip over mass */\n"
+         "#define REAL float\n#define LCPUSH(name) lcpushf_##name\n#else\n"
+         "#define REAL double\n#define LCPUSH(name) lcpush_##name\n#endif\n\n"
          "enum { BODIES = " +
          std::to_string(file.bodies.size()) + ", POINTS = " + std::to_string(file.points.size()) +
          ", ACTUATORS = " + std::to_string(file.actuators.size()) +
@@ -130,7 +133,7 @@ std::string c_program(const SceneFile& file) {
          "static const lcpush_size size = {" +
          list +
          "};\n"
-         "static double memory[(LCPUSH_BYTES(float" +
+         "static double memory[(LCPUSH_BYTES(REAL" +
          bytes + ") / sizeof(double)) + 1u];\n\n" + tables(file) + control_loop();
 }
 

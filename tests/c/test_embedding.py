@@ -52,7 +52,9 @@ with tempfile.TemporaryDirectory() as folder:
         numbers = [[float(x) for x in re.findall(r" (-?[\d.]+(?:e[+-]\d+)?)(?= |$|\b)", line.split(";" if k == 0 else ":")[1])]
                    for k, line in enumerate(last)]
         wanted = [answer["object"]["acceleration"]] + [body["force"] + body["moment"] for body in answer["bodies"]]
-        for k, (given, want) in enumerate(zip(numbers, wanted)):  # a float's last bit of 20 N turns it by 0.01 rad/s^2
-            slack = 3 * [4e-4] + 3 * [0.02] if k == 0 else 6 * [0.1]
-            assert len(given) == 6 and all(abs(a - b) <= s for a, b, s in zip(given, want, slack)), (name, changes, given, want)
+        for given, want in zip(numbers, wanted):  # six digits are printed
+            assert len(given) == 6 and all(abs(a - b) <= 1e-5 * max(1, abs(b)) for a, b in zip(given, want)), (name, changes, given, want)
+        subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Wdouble-promotion", "-Werror", "-DIN_FLOAT", "-Iinclude",
+                        work / "made/main.c", "lcpush.o", "-o", "made_in_float"], cwd=bundle, check=True)
+        assert subprocess.run([bundle / "made_in_float"], capture_output=True, text=True).stdout.count("tick") == 10, name
 print("the bundle and the example of docs/embed/embedding.md: ok")
