@@ -25,6 +25,12 @@ lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots) {
   return lcpush::c::as_c(push->step(pivots));
 }
 
+lcpush_status LCPUSH_NAME(step_within)(LCPUSH_NAME(push) * push, unsigned work) {
+  return lcpush::c::as_c(push->step_within(work));
+}
+
+unsigned LCPUSH_NAME(work)(const LCPUSH_NAME(push) * push) { return push->work(); }
+
 lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push) {
   return lcpush::c::as_c(push->solve());
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -54,6 +55,7 @@ public:
     Status (*break_grasp)(CPush&, const Body<S>& pusher, Breaking<S>&); ///< null: by pivots
     bool takes_motions;
     Workspace<S> (*take)(Arena, const AssemblySize&);
+    std::uint32_t (*work)(const CPush&); ///< of all solves so far, modulo 2^32
   };
 
   /// Cuts everything out of `arena`; complete() says whether it was enough.
@@ -160,12 +162,18 @@ public:
   bool is_under_way() const { return begun_ && (status_ == Status::running || is_interrupted_); }
 
   Status step(int pivots) {
-    if (!described_) return refuse(Mistake::not_described);
-    if (!commanded_ && status_ != Status::solved) tick();
-    commanded_ = false;
-    if (is_interrupted_) status_ = Status::running;
-    return status_ == Status::running && pivots > 0 ? method_->step(*this, pivots) : status_;
+    const Status status = begin_step();
+    return status == Status::running && pivots > 0 ? method_->step(*this, pivots) : status;
   }
+  /// Pivots until so much work is done; the last of them may take more.
+  Status step_within(std::uint32_t work) {
+    Status status = begin_step();
+    const std::uint32_t before = method_->work(*this);
+    while (status == Status::running && method_->work(*this) - before < work)
+      status = method_->step(*this, 1);
+    return status;
+  }
+  std::uint32_t work() const { return method_->work(*this); }
 
   Status solve() { return step(std::numeric_limits<int>::max()); }
 
@@ -308,6 +316,14 @@ protected:
   }
 
 private:
+  Status begin_step() {
+    if (!described_) return refuse(Mistake::not_described);
+    if (!commanded_ && status_ != Status::solved) tick();
+    commanded_ = false;
+    if (is_interrupted_) status_ = Status::running;
+    return status_;
+  }
+
   /// The solver's memory is about to be something else's.
   void forget_solve() { begun_ = goes_on_ = is_interrupted_ = false; }
 

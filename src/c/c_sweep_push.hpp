@@ -24,8 +24,9 @@ private:
                          PressureOptions<S>(), breaking, p.run_);
   }
 
+  static std::uint32_t work_of(const Base&) { return 0; } ///< a step solves all
   static constexpr
-      typename Base::Method method{&step_of, &break_of, false, &make_sweep_workspace<S>};
+      typename Base::Method method{&step_of, &break_of, false, &make_sweep_workspace<S>, &work_of};
 
   /// Sweeps stop at a residual that large forces make look small: the laws may ask for more.
   Status sweep() {

@@ -16,7 +16,7 @@ import subprocess
 import sys
 
 from programs import MACHINE, PRECISION, Programs, instructions, number, table
-from tables import code_at_once, code_table, flash_table, loop_table, size_table
+from tables import code_at_once, code_table, flash_table, loop_table, size_table, unit_costs, work_table
 
 PROGRAMS = ("push", "sizes", "small", "loop", "hold", "pivots", "kernel")
 
@@ -31,6 +31,7 @@ RECORDED = re.compile(r"\.(pivots|break)$")  # the runs of `push` whose figures 
 PER_ENTRY = {"m3": 100, "m4f": 10, "m7d": 10}
 SET_UP = 20  # pivots that set-up and final check take as much as
 SLIDE_ENTRIES = 16 * (10 * (8 + 2) + 2) + 3 * (10 + 2 * 2 + 16) ** 2
+WORK_OFF = (0.14, 0.3)  # of a unit of work's instructions: nine of ten solves, and all
 # What leaves a program that does not call it.
 LEAVES = {"break_grasp": "find_breaking", "a motion": "TimeStepper", "sweeps": "BlockGaussSeidel",
           "a hold": "RevisedSimplex"}
@@ -138,6 +139,18 @@ def gate_limit(programs, program, target):
             yield f"{program}: {took} instructions for {many - few} pivots, allowed {most} each"
 
 
+def gate_work(programs, program, target):
+    """Instructions are in proportion to the work; a call takes its budget and one piece more."""
+    runs = programs.runs(program, target)
+    for name, run in runs.items():
+        if run["status"] != "solved" or run["in_calls"] != "solved":
+            yield f"{program} {name}: {run['status']}, in calls {run['in_calls']}"
+    unit, off = unit_costs(runs)
+    if off[9 * len(off) // 10] > WORK_OFF[0] or off[-1] > WORK_OFF[1]:
+        yield (f"{program}: a unit takes {unit:.1f} instructions, nine of ten solves within "
+               f"{off[9 * len(off) // 10]:.3f} of that, the last {off[-1]:.3f}")
+
+
 def gate_leaves(programs, program, target):
     """What is not called is not linked."""
     symbols = " ".join(programs.symbols(program, target))
@@ -234,6 +247,8 @@ def check(programs, target, args):
     for name in ("core", "pivots", "kernel", "push"):
         yield from gate_static_stack(programs, name, target)
     yield from gate_limit(programs, "push", target)
+    yield from gate_bits(programs, "work", target, "work")
+    yield from gate_work(programs, "work", target)
     if compiler == versions(programs):
         for program in PROGRAMS:
             yield from gate_recorded(programs, program, target, recorded)
@@ -287,7 +302,8 @@ def page(programs, args):
     path = pathlib.Path(args.page)
     text = path.read_text()
     for name, lines in (("sizes", size_table(programs)), ("loop", loop_table(programs)),
-                        ("code", code_table(programs)), ("flash", flash_table(programs))):
+                        ("work", work_table(programs)), ("code", code_table(programs)),
+                        ("flash", flash_table(programs))):
         begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
         before, rest = text.split(begin)
         text = before + begin + "".join(f"{line}\n" for line in lines) + end + rest.split(end)[1]

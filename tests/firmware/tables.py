@@ -19,6 +19,31 @@ def size_table(programs, program="sizes"):
                           " / ".join(steps), *instructions_of]) + " |"
 
 
+def unit_costs(runs):
+    """Instructions of a unit of work, the median of solves; and how far each is off, in order."""
+    units = sorted(instructions(run["ticks"]) / int(run["work"]) for run in runs.values())
+    median = units[len(units) // 2]
+    return median, sorted(abs(unit / median - 1) for unit in units)
+
+
+def work_table(programs):
+    """What a unit of work takes, and calls of step_within."""
+    yield "| | M3, soft float | M4F, float | M7, double |"
+    yield "|---|---|---|---|"
+    runs = {target: programs.runs("work", target) for target in MACHINE}
+    costs = {target: unit_costs(runs[target]) for target in MACHINE}
+    rows = {
+        "instructions of a unit": lambda t: f"{costs[t][0]:.0f}",
+        "nine of ten solves within": lambda t: f"{100 * costs[t][1][9 * len(costs[t][1]) // 10]:.0f} %",
+        "all within": lambda t: f"{100 * costs[t][1][-1]:.0f} %",
+        "`step_within(push, 4000)`, the most work": lambda t: max(int(r["most"]) for r in runs[t].values()),
+        "`step_within(push, 4000)`, the dearest": lambda t:
+            f"{max(instructions(r['dearest_ticks']) for r in runs[t].values()) / 1e6:.2f} M",
+    }
+    for name, figure in rows.items():
+        yield " | ".join([f"| {name}", *(str(figure(target)) for target in MACHINE)]) + " |"
+
+
 def code_table(programs):
     """Bytes of code, and the stack."""
     yield "| | M3, soft float | M4F, float | M7, double |"

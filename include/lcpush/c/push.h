@@ -108,6 +108,14 @@ lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* 
  * O(points^3). */
 lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots);
 
+/* Steps of one pivot each until they have done so much `work`; the last may go beyond it, by a
+ * round's end or a basis factored afresh at most. Counted alike on every machine, so that a run can
+ * be repeated; docs/embed/tables.md says what a unit costs on yours. */
+lcpush_status LCPUSH_NAME(step_within)(LCPUSH_NAME(push) * push, unsigned work);
+
+/* The work of all steps so far, modulo 2^32; 0 of a push made for sweeps. */
+unsigned LCPUSH_NAME(work)(const LCPUSH_NAME(push) * push);
+
 /* Steps to the end. */
 lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push);
 

@@ -54,6 +54,10 @@ struct StructuredSettings {
   /// Actuators that drive several contacts each, at most, where pads are springs: their matrix
   /// stands on the stack. A hand has a few.
   static constexpr int actuators_with_springs = 32;
+  /// Work, with all that goes with it: of a product with the local form a row and an input, of a
+  /// factoring a row beside t^3. Fitted to a Cortex-M4F's instructions: 90 % of solves are within a
+  /// tenth of theirs (docs/embed/tables.md, "Work").
+  static constexpr Index work_a_row = 10, work_an_input = 70, work_a_factored_row = 80;
 };
 
 /// Of a look at a basis that may still hold.

@@ -32,6 +32,7 @@
 // and s become basic together, and the inverse [0 1; -1 3/2] has the form of M, roles swapped.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "lcpush/lcp/pivots/basis.hpp"
@@ -212,6 +213,9 @@ public:
   /// out = M x, x given by inputs(visit) calling visit(slot, x) for each entry that is not zero.
   /// Cost: O(n) and O(1) an input.
   template <class Inputs> void multiply(const Inputs& inputs, VectorMap<S>& out);
+  /// Of all products so far, in StructuredSettings' unit, modulo 2^32.
+  std::uint32_t work() const { return work_; }
+  void add_work(Index work) { work_ += static_cast<std::uint32_t>(work); }
 
   /// A right-hand side of the problem as given becomes the rows' values at x = 0.
   void evaluate(VectorMap<S>& rhs) {
@@ -223,6 +227,7 @@ public:
 private:
   const FactoredProblem<S>* problem_ = nullptr;
   Index n_ = 0, free_begin_ = 0;
+  std::uint32_t work_ = 0;
   static constexpr int flipped = 8;         // a bit that no role has
   static constexpr unsigned one_group = 16; // above those of roles and flipped
   Directions directions_;

@@ -145,9 +145,12 @@ void LocalForm<S, M>::multiply(const Inputs& inputs, VectorMap<S>& out) {
   });
   find_velocity();
   add_felt(out);
+  Index count = 0;
   inputs([&](Index slot, const S& x) {
+    ++count;
     if (slot < n_) add_local(slot, x, out);
   });
+  add_work(StructuredSettings::work_a_row * n_ + StructuredSettings::work_an_input * count);
 }
 
 } // namespace lcpush::detail

@@ -93,6 +93,8 @@ public:
   }
   /// Has the basis outgrown the memory, however it is factored?
   bool is_too_long() const { return t_ > capacity_; }
+  /// What pivots have taken so far, counted alike on every machine, modulo 2^32.
+  std::uint32_t work() const { return form_.work(); }
   bool must_refactor() const { return t_ + 1 >= capacity_ || t_ >= long_; }
   void respond(const VectorMap<S>& r, VectorMap<S> out);
   void set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale, const S& rhs_scale);

@@ -79,6 +79,7 @@ Index StructuredBasis<S, M>::factor(Span<Int> target, Span<Int> /*candidates*/,
     form_.begin_column(in_[k]);
     for (Index i = 0; i < t_; ++i) inverse_(i, k) = form_.entry_of_column(out_[i], in_[k]);
   }
+  form_.add_work(StructuredSettings::work_a_factored_row * n_ + t_ * t_ * t_);
   const Index left = invert(smallest_pivot);
   t_ -= left;
   for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<Int>(base_variable(i));
