@@ -75,9 +75,9 @@ private:
   }
   bool normal_known(Index i) const { return contact_of(i).normal_force.has_value(); }
   bool friction_known(Index i) const;
-  bool forces_known(Index body) const;
+  bool forces_known(const Body<double>& body) const;
   bool forces_known() const;
-  KnownWrench wrench_of(Index body) const;
+  KnownWrench wrench_of(const Body<double>& body) const;
   double least() const { return tolerance_ * layout_.scales.acceleration; } ///< m/s^2
 
   // The motion: rows on the object's acceleration, its angular part times the scene's length, and
@@ -101,7 +101,9 @@ private:
   void find_motions();
 
   // The forces.
-  Index force_rows() const { return 6 + layout_.actuators + 7 * scene_.bodies.size; }
+  Index force_rows() const {
+    return 6 + layout_.actuators + 7 * static_cast<Index>(file_.bodies.size());
+  }
   Eigen::VectorXd column(const PointForce& force) const;
   Eigen::VectorXd targets() const;
   std::vector<PointForce> possible_forces() const;

@@ -56,26 +56,26 @@ bool AnswerCompleter::friction_known(Index i) const {
   return contact.friction_force && (!(body_of(i).torsion_radius > 0) || contact.torsion);
 }
 
-bool AnswerCompleter::forces_known(Index body) const {
-  const auto points = points_of(scene_.bodies[body]);
+bool AnswerCompleter::forces_known(const Body<double>& body) const {
+  const auto points = points_of(body);
   return std::all_of(points.begin(), points.end(),
                      [&](Index i) { return normal_known(i) && friction_known(i); });
 }
 
 bool AnswerCompleter::forces_known() const {
-  for (Index b = 0; b < scene_.bodies.size; ++b)
-    if (!forces_known(b)) return false;
-  return true;
+  return std::all_of(scene_.bodies.begin(), scene_.bodies.end(),
+                     [&](const Body<double>& body) { return forces_known(body); });
 }
 
-/// From its contacts, or as the file gives it.
-AnswerCompleter::KnownWrench AnswerCompleter::wrench_of(Index body) const {
+/// From its contacts, or as the file gives it: nothing of a part of the file's body.
+AnswerCompleter::KnownWrench AnswerCompleter::wrench_of(const Body<double>& body) const {
   if (forces_known(body)) {
-    const Vector6<double> sum = body_wrench(scene_, answer_, scene_.bodies[body]);
+    const Vector6<double> sum = body_wrench(scene_, answer_, body);
     return {Vector3<double>(sum.head<3>()), Vector3<double>(sum.tail<3>())};
   }
-  if (given_.bodies.empty()) return {};
-  const ForeignBody& given = given_.bodies[static_cast<std::size_t>(body)];
+  const auto of = static_cast<std::size_t>(file_.body_of(body.first_point));
+  if (given_.bodies.empty() || body.point_count < file_.bodies[of].point_count) return {};
+  const ForeignBody& given = given_.bodies[of];
   return {given.force, given.moment};
 }
 
@@ -84,8 +84,8 @@ Rows AnswerCompleter::newton_rows() const {
   const Scales<double>& scales = layout_.scales;
   Vector6<double> wrench = laws::load(scene_, scales);
   bool has_force = true, has_moment = true;
-  for (Index b = 0; b < scene_.bodies.size; ++b) {
-    const KnownWrench known = wrench_of(b);
+  for (const Body<double>& body : file_.bodies) {
+    const KnownWrench known = wrench_of(body);
     has_force = has_force && known.force;
     has_moment = has_moment && known.moment;
     if (known.force) wrench.head<3>() += *known.force / scales.force;
@@ -171,7 +171,7 @@ Rows AnswerCompleter::pressed_rows() const {
     bool is_known = actuator.inertia > 0;
     for (const Drive<double>& drive : scene_.drives) {
       if (drive.actuator != a) continue;
-      const KnownWrench known = wrench_of(drive.body);
+      const KnownWrench known = wrench_of(scene_.bodies[drive.body]);
       const Vector3<double> turns = drive.twist.tail<3>();
       is_known = is_known && known.force && (known.moment || turns.isZero());
       if (is_known)

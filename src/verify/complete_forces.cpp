@@ -31,8 +31,9 @@ Eigen::VectorXd AnswerCompleter::column(const PointForce& force) const {
       rows[6 + drive.actuator] +=
           laws::grip_coefficient(drive, W, layout_.reach[drive.actuator], scales);
   if (!given_.bodies.empty()) {
-    const ForeignBody& given = given_.bodies[static_cast<std::size_t>(b)];
-    const Index sums = 6 + layout_.actuators + 7 * b;
+    const Index of = file_.body_of(i); // under even pressure each of its points is a body
+    const ForeignBody& given = given_.bodies[static_cast<std::size_t>(of)];
+    const Index sums = 6 + layout_.actuators + 7 * of;
     if (given.force) rows.segment<3>(sums) = W.head<3>();
     if (given.moment) rows.segment<3>(sums + 3) = W.tail<3>();
     if (given.normal_force) rows[sums + 6] = force.sign;
@@ -158,7 +159,7 @@ Eigen::VectorXd AnswerCompleter::fitting(const Eigen::MatrixXd& A, const Eigen::
 void AnswerCompleter::find_forces() {
   const Eigen::VectorXd b = targets();
   Eigen::VectorXd weights = Eigen::VectorXd::Constant(b.size(), Settings::laws_first);
-  weights.segment(6 + layout_.actuators, 7 * scene_.bodies.size).setOnes();
+  weights.segment(6 + layout_.actuators, force_rows() - 6 - layout_.actuators).setOnes();
   weights.tail(3 * layout_.points).setOnes();
   std::vector<PointForce> forces = possible_forces();
   std::vector<Index> sticking; // sliding leaves nothing of the cone

@@ -53,24 +53,25 @@ Eigen::VectorXd unknowns_of(const Layout<double>& layout, const Answer<double>& 
   return z;
 }
 
-/// The largest difference among the contact forces that the file gives, and the bodies'.
-double force_difference(const Scene<double>& scene, const ForeignAnswer& given,
-                        const Answer<double>& a, const Answer<double>& b) {
-  double most = 0;
+/// The largest difference among the contact forces that the file gives, and the bodies'; none: it
+/// gives no force.
+std::optional<double> force_difference(const SceneFile& file, const ForeignAnswer& given,
+                                       const Answer<double>& a, const Answer<double>& b) {
+  std::optional<double> most;
+  const auto note = [&](double off) { most = std::max(most.value_or(0), off); };
+  const Scene<double> scene = file.view();
   for (Index k = 0; k < static_cast<Index>(given.bodies.size()); ++k) {
     const ForeignBody& body = given.bodies[static_cast<std::size_t>(k)];
-    const Vector6<double> off =
-        body_wrench(scene, a, scene.bodies[k]) - body_wrench(scene, b, scene.bodies[k]);
-    if (body.force) most = std::max(most, off.head<3>().norm());
-    if (body.normal_force)
-      most =
-          std::max(most, std::abs(normal_sum(a, scene.bodies[k]) - normal_sum(b, scene.bodies[k])));
+    const Body<double>& points = scene.bodies[k];
+    const Vector6<double> off = body_wrench(scene, a, points) - body_wrench(scene, b, points);
+    if (body.force) note(off.head<3>().norm());
+    if (body.normal_force) note(std::abs(normal_sum(a, points) - normal_sum(b, points)));
   }
   for (Index i = 0; i < static_cast<Index>(given.contacts.size()); ++i) {
     const ForeignContact& contact = given.contacts[static_cast<std::size_t>(i)];
     const ContactAnswer<double>&x = a.contacts[i], &y = b.contacts[i];
-    if (contact.normal_force) most = std::max(most, std::abs(x.normal_force - y.normal_force));
-    if (contact.friction_force) most = std::max(most, (x.friction_force - y.friction_force).norm());
+    if (contact.normal_force) note(std::abs(x.normal_force - y.normal_force));
+    if (contact.friction_force) note((x.friction_force - y.friction_force).norm());
   }
   return most;
 }
@@ -243,7 +244,7 @@ private:
     read_answer(push_.assembly(), point->data(), refined, 1.0);
     report_.refined.residual = check(push_.scene(), layout_.scales, refined, 1.0).max();
     report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
-    report_.refined.force = force_difference(push_.scene(), given_, answer_, refined);
+    report_.refined.force = force_difference(push_.file(), given_, answer_, refined);
     report_.refined.acceleration = motion_difference(answer_, refined, layout_.scales);
   }
 
@@ -253,15 +254,15 @@ private:
     report_.verdict = Verdict::other_solution;
     if (own.status != Status::solved) return;
     const Scales<double>& scales = layout_.scales;
-    report_.own.force = force_difference(push_.scene(), given_, nearest, own.answer);
+    report_.own.force = force_difference(push_.file(), given_, nearest, own.answer);
     report_.own.acceleration = motion_difference(nearest, own.answer, scales);
     const double close = close_by(report_.tolerance);
     double largest = scales.force;
     for (const ContactAnswer<double>& contact : own.answer.contacts)
       largest = std::max(largest, std::abs(contact.normal_force));
     if (!has_own_motion(nearest)) return;
-    report_.verdict =
-        report_.own.force <= close * largest ? Verdict::same_solution : Verdict::other_forces;
+    report_.verdict = report_.own.force.value_or(0) <= close * largest ? Verdict::same_solution
+                                                                       : Verdict::other_forces;
   }
 
   bool has_own_motion(const Answer<double>& answer) {
@@ -317,7 +318,7 @@ VerifyReport verify_break(const SceneFile& file, const ForeignAnswer& given,
                   {},
                   {}}};
   const double close = close_by(options.tolerance) * size;
-  if (report.own.force <= close)
+  if (off(lawful) <= close)
     report.verdict = Verdict::same_solution;
   else if (!(least <= close) || !own.breaking.breaks)
     report.verdict = Verdict::not_a_solution;

@@ -71,7 +71,7 @@ void compare(const RawProblem& problem, const std::vector<double>& nearest,
   report.own.status = own.status;
   if (own.status != Status::solved) return;
   report.own.force = distance(nearest, own.z);
-  if (report.own.force <= close_by(report.tolerance) * size_of(own.z))
+  if (*report.own.force <= close_by(report.tolerance) * size_of(own.z))
     report.verdict = Verdict::same_solution;
 }
 

@@ -99,8 +99,9 @@ Fact metrics_fact(const ForeignMetrics& metrics) {
 Fact basis_fact(const RefinedAnswer& refined) {
   if (!(refined.residual <= VerifySettings::solves))
     return {"Its basis", "is no solution's: solved exactly it is off " + by(refined.residual, "")};
-  return {"Its basis", "solved exactly, moves a force " + by(refined.force, "N") +
-                           " and the motion " + by(refined.acceleration, "m/s^2")};
+  return {"Its basis", "solved exactly, moves " +
+                           (refined.force ? "a force " + by(*refined.force, "N") + " and " : "") +
+                           "the motion " + by(refined.acceleration, "m/s^2")};
 }
 
 std::string around_words(const VerifyReport& report) {
@@ -120,7 +121,7 @@ std::string own_words(const OwnAnswer& own) {
   if (own.status != Status::solved)
     return std::string("ended with \"") + status_text(own.status) +
            "\": there is nothing to compare with";
-  return "differs " + by(own.force, "N") + " in a contact's force and " +
+  return "differs " + (own.force ? by(*own.force, "N") + " in a contact's force and " : "") +
          by(own.acceleration, "m/s^2") + " in the motion";
 }
 
@@ -228,7 +229,7 @@ std::string verify_text(const RawVerifyReport& report, Telling telling) {
   if (is_valid(report.verdict))
     facts.push_back({"lcpush's own",
                      report.own.status == Status::solved
-                         ? "differs " + by(report.own.force, "")
+                         ? "differs " + by(*report.own.force, "")
                          : std::string("ended with \"") + status_text(report.own.status) + "\""});
   facts.push_back(metrics_fact(report.metrics));
   return text + "\n" + facts_text(facts);

@@ -153,6 +153,23 @@ for scene in sorted(scenes.glob("*.toml")):
             assert status == 1 and "lcpush's own push breaks" in report["because"], (scene.stem, report)
 assert count > 400 and refused > 150, (count, refused)
 
+# Even pressure shares each body's sums among its points, which press one by one.
+even = pathlib.Path(folder.name, "even.toml")
+even.write_text(table("", gravity=[-4.8, -2.5, -0.6], planar=True, pressure="even") +
+                table("[object]", mass=0.62, box=[0.09, 0.025, 0.052], force=[-1.4, -1.7, -1.2]) +
+                table("[gripper]", jaws="independent") +
+                "".join(finger(name, "disc", on=face, friction=friction, radius=0.005, grip_force=19.8)
+                        for name, face, friction in (("l", "+z", 1.06), ("r", "-z", 0.9))) +
+                pusher("p", "line", on="-y", along="z", length=0.012, points=2, friction=0.22, normal_force=19,
+                       acceleration=[0.2, 0, 0]))
+answer = own_answer(even)
+for part, given in parts(answer):
+    status, report = verify(even, given)
+    assert status == 0, (part, report)
+    assert (report["own"]["force_difference"] is None) == ("force" not in json.dumps(given)), (part, report)
+for what, given in off_by_5_percent(answer):
+    assert verify(even, given)[1]["verdict"] == "not a solution", what
+
 # Right answers of another road: sweeps; and rounded to six digits.
 for name in ("straight_slide", "rolling", "tipping"):
     scene = scenes / f"{name}.toml"

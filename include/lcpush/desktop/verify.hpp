@@ -52,17 +52,17 @@ struct ForeignMetrics {
 /// The answer's basis (z_i where it is larger than w_i), solved once.
 struct RefinedAnswer {
   bool found = false;
-  double residual = 0;     ///< largest scaled violation of what came out
-  double moved = 0;        ///< in scaled units, the largest change of an unknown
-  double force = 0;        ///< N, the largest change of a force that is given
-  double acceleration = 0; ///< m/s^2, the object's
+  double residual = 0;         ///< largest scaled violation of what came out
+  double moved = 0;            ///< in scaled units, the largest change of an unknown
+  std::optional<double> force; ///< N, the largest change of a force that is given
+  double acceleration = 0;     ///< m/s^2, the object's
 };
 
 /// Beside lcpush's own answer.
 struct OwnAnswer {
   Status status = Status::bad_input;
-  double force = 0;        ///< N, the largest difference of a contact's force that is given
-  double acceleration = 0; ///< m/s^2, of the object
+  std::optional<double> force; ///< N, the largest difference of a contact's force that is given
+  double acceleration = 0;     ///< m/s^2, of the object
 };
 
 /// What is said of any answer.
