@@ -31,7 +31,8 @@ Result verify_push(const Values& values, Listener& listener) {
   const VerifyOptions options = verify_options(values);
   const Document answer = values.answer();
   SceneFile file = values.scene(Needs::matrix);
-  const ForeignAnswer given = parse_foreign_answer(answer.text, answer.name, file);
+  const ForeignAnswer given =
+      parse_foreign_answer(answer.text, answer.name, file, options.tolerance);
   if (file.is_round && file.lines.facets == 0 && given.facets) {
     file.is_round = false;
     file.facets = *given.facets;

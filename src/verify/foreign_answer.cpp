@@ -58,7 +58,7 @@ ForeignContact read_contact(const JsonFields& fields, const JsonValue& value) {
 }
 
 void read_contacts(const JsonFields& fields, const JsonArray& array, const SceneFile& file,
-                   ForeignAnswer& answer) {
+                   double tolerance, ForeignAnswer& answer) {
   std::vector<ForeignContact> read;
   std::vector<std::string> given, known;
   for (const JsonValue& value : array) {
@@ -72,15 +72,16 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
   answer.contacts.resize(known.size());
   for (std::size_t k = 0; k < read.size(); ++k) answer.contacts[place[k]] = read[k];
   double size = 0;
-  for (const Vector3<double>& p : file.points) size = std::max(size, p.norm());
+  for (const auto* places : {&file.points, &file.positions})
+    for (const Vector3<double>& p : *places) size = std::max(size, p.norm());
+  const double near = std::max(VerifySettings::same_place, tolerance) * size;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const ForeignContact& contact = answer.contacts[i];
     const std::string& body = file.body_name(file.body_of(static_cast<Index>(i)));
     if (!contact.body.empty() && contact.body != body)
       answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
                               ", the scene's of " + quoted(body);
-    if (contact.position &&
-        !((*contact.position - file.positions[i]).norm() <= VerifySettings::same_place * size))
+    if (contact.position && !((*contact.position - file.positions[i]).norm() <= near))
       answer.not_this_scene = "contact " + known[i] + " is at another place, " +
                               shown((*contact.position - file.positions[i]).norm()) +
                               " m from the scene's";
@@ -136,7 +137,7 @@ bool says_something(const ForeignAnswer& answer) {
 } // namespace
 
 ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& file_name,
-                                   const SceneFile& file) {
+                                   const SceneFile& file, double tolerance) {
   const JsonValue root = parse_json(text, file_name);
   const JsonFields fields(file_name);
   if (root.as<JsonObject>() == nullptr)
@@ -156,7 +157,7 @@ ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& fil
   const Index actuators = EvenScene(file.view()).scene.actuators.size;
   if (const auto closing = fields.numbers(root, "closing", actuators)) answer.closing = *closing;
   if (const JsonArray* const contacts = fields.objects(root, "contacts"))
-    read_contacts(fields, *contacts, file, answer);
+    read_contacts(fields, *contacts, file, tolerance, answer);
   const JsonArray* const bodies = fields.objects(root, "bodies");
   if (bodies != nullptr && answer.not_this_scene.empty())
     read_bodies(fields, *bodies, file, answer);

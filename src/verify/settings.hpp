@@ -29,7 +29,8 @@ struct VerifySettings {
                                             ///< the forces' own motion has so many times less
   static constexpr double turned = 1e-2; ///< of the error: less is left by a right change of signs,
                                          ///< and is no imbalance to tell
-  static constexpr double same_place = 1e-6;    ///< of the scene's size: places in six digits
+  static constexpr double same_place = 1e-5;    ///< of the scene's size: six digits, which round
+                                                ///< each of three numbers by up to 5e-6
   static constexpr double same_answer = 1e-6;   ///< least tolerance of "the same answer": two
                                                 ///< solvers' answers in double agree to 1e-8
   static constexpr double times_tolerance = 10; ///< an answer off by the tolerance may lie so

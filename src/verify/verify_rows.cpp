@@ -3,6 +3,7 @@
 #include "verify/settings.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace lcpush::desktop {
 namespace {
@@ -130,10 +131,11 @@ private:
     const double off = found - lawful;
     if (!is_worse(off / unit, worst_.scaled)) return;
     const double zero = VerifySettings::untold * unit;
-    const bool is_alike = brief(found, zero) == brief(lawful, zero);
-    const auto told = [&](double x) {
-      return (is_alike ? number(x, zero) : brief(x, zero)) + " " + unit_name;
-    };
+    int digits = VerifySettings::told_digits; // as many as show that they differ
+    while (digits < std::numeric_limits<double>::max_digits10 &&
+           in_digits(found, digits, zero) == in_digits(lawful, digits, zero))
+      ++digits;
+    const auto told = [&](double x) { return in_digits(x, digits, zero) + " " + unit_name; };
     worst_ = {std::nullopt,
               what + " is " + told(found) + ", where " + source + " " + told(lawful),
               std::abs(off / unit),

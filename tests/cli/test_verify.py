@@ -5,6 +5,7 @@
 import copy
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -179,6 +180,18 @@ for name in ("straight_slide", "rolling", "tipping"):
     status, report = verify(scene, rounded, "--tolerance", "1e-4")
     assert status == 0 and report["verdict"] == "same solution", (name, report)
     assert report["basis"]["refined"] and report["basis"]["residual"] < max(1e-12, report["residual"]), (name, report)
+
+# Places count to the six digits that are given, or to the tolerance; numbers differ in the digits that are told.
+rounded = json.loads(json.dumps(own_answer(even)), parse_float=lambda x: float(f"{float(x):.6g}"))
+assert verify(even, rounded, "--tolerance", "1e-4")[0] == 0
+for digits, tolerance, status in ((3, "0.03", 0), (2, "1e-4", 1)):
+    rounded["contacts"][0]["position"] = [float(f"{x:.{digits}g}") for x in answer["contacts"][0]["position"]]
+    assert verify(even, rounded, "--tolerance", tolerance)[0] == status, digits
+almost = copy.deepcopy(answer)
+almost["bodies"][0]["force"][1] *= 1 + 1e-7
+found, lawful = re.search(r"force of l along y is (\S+) N, where its points make (\S+) N",
+                          verify(even, almost, "--tolerance", "1e-9")[1]["laws"]["given"]["row"]).groups()
+assert found != lawful, found
 
 # A small grip that is missing beside a large one is missing at every tolerance.
 hand = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=1e-4, box=[0.01, 0.01, 0.01]) +

@@ -40,8 +40,9 @@ struct ForeignAnswer {
 /// Reads an answer to the scene `file`. Contacts and bodies are matched by name where all are named
 /// as the scene names them, and then some may be left out, else by order; null stands for what is
 /// not known; keys that are not known are ignored. Throws InputError, with file and line, on what
-/// is no JSON or has the wrong type, and if nothing is in it that could be checked.
+/// is no JSON or has the wrong type, and if nothing is in it that could be checked. `tolerance`:
+/// what places may be off by, of the scene's size; six digits always do.
 ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& file_name,
-                                   const SceneFile& file);
+                                   const SceneFile& file, double tolerance);
 
 } // namespace lcpush::desktop
