@@ -14,11 +14,15 @@
 namespace lcpush::cli {
 namespace {
 
-void tell_next(const std::string& path) { tell("Wrote " + path + "; next: lcpush solve " + path); }
+/// What nothing pushes is asked how well it holds.
+void tell_next(const std::string& path, const std::string& scene) {
+  const bool is_pushed = scene.find("[[pusher]]") != std::string::npos;
+  tell("Wrote " + path + "; next: lcpush " + (is_pushed ? "solve " : "hold ") + path);
+}
 
 int write_new(const Arguments& arguments, const std::string& text) {
   write_output(arguments, text);
-  if (const auto path = arguments.text("output")) tell_next(*path);
+  if (const auto path = arguments.text("output")) tell_next(*path, text);
   return 0;
 }
 
@@ -141,7 +145,7 @@ int run_new(const Arguments& arguments) {
     if (asks && into.empty()) {
       const std::string path = asked_file(scene.object);
       write_file(path, text);
-      tell_next(path);
+      tell_next(path, text);
       return 0;
     }
     return write_new(arguments, text);

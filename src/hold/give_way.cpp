@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lcpush/desktop/naming.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
@@ -115,9 +116,12 @@ std::string give_way_words(const SceneFile& file, const GiveWay& gives) {
     const bool patches = std::all_of(gives.slips.begin(), gives.slips.end(), [&](Index b) {
       return file.body(b).point_count > 1 || file.body(b).torsion_radius > 0;
     });
+    const bool pads = patches && std::all_of(gives.slips.begin(), gives.slips.end(), [&](Index b) {
+                        return file.body(b).preload > 0 || is_driven(file.view(), b);
+                      });
     if (gives.turns)
-      return "turns it about " + way + (patches ? " in the pads" : " over ") +
-             (patches ? "" : names(gives.slips));
+      return "turns it about " + way +
+             (pads ? " in the pads" : (patches ? " on " : " over ") + names(gives.slips));
     return "slides it along " + way + " over " + names(gives.slips);
   }
   if (!gives.opens.empty())

@@ -181,7 +181,10 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
              (std::isfinite(limit.limit) ? ", which " + give_way_words(file, limit.gives) : "")});
   }
   if (!std::isnan(study.added_mass))
-    facts.push_back({"Added mass", cell(study.added_mass, true) + " kg at its centre"});
+    facts.push_back(
+        {"Added mass",
+         (std::isinf(study.added_mass) ? "as much as you like," : brief(study.added_mass) + " kg") +
+             " at its centre"});
   if (!std::isnan(study.tilt))
     facts.push_back({"Tilt", brief(study.tilt * degrees_a_radian) + " degrees of gravity, any way" +
                                  (study.is_statics ? "" : ", by statics")});

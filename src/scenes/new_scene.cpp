@@ -89,7 +89,7 @@ public:
     std::string text =
         "# Made by `lcpush new`; docs/guide/scenes.md explains every key.\ntitle = \"A " +
         given_.object + title() + "\"\ngravity = [0, \"-9.81 m/s^2\", 0]\n";
-    if (given_.push != "roll")
+    if (given_.push != "roll" && given_.push != "none")
       text +=
           commented("planar = true", "it stays in the x-y plane; without this line it need not");
     text += "\n" + commented("[object]", "its middle is at [0, 0, 0]") + "mass = " + mass_.text() +
@@ -215,8 +215,11 @@ private:
              "\nnormal = [0, 1, 0]\nfriction = 0.5\n" + along;
     if (given_.push == "slide")
       return is + "\"wall\"\n" +
-             (is_box_ ? "shape = \"line\"\non = \"-x\"\nalong = \"y\"\n"
-                      : "shape = \"disc\"\non = \"-x\"\nradius = " + size_[0].times(0.5) + "\n") +
+             (is_box_
+                  ? "shape = \"line\"\non = \"-x\"\n" +
+                        commented("along = \"y\"",
+                                  "a table's edge: \"z\", and center = [\"4 mm\", 0], its height")
+                  : "shape = \"disc\"\non = \"-x\"\nradius = " + size_[0].times(0.5) + "\n") +
              "friction = 0.3\n" + along;
     return is +
            (is_box_ ? "\"edge\"\nshape = \"line\"\non = \"-y\"\nalong = \"z\"\ncenter = " +

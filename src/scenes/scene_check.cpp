@@ -56,6 +56,8 @@ public:
               body_label(file_, b) + "it reaches " + length_text(file_.overhang[b]) +
                   " beyond the box; what lies beside it does not press");
     check_jaws();
+    check_opposed();
+    check_table();
     if (file_.planar) check_plane();
     if (doubts_.empty()) check_sides();
     if (file_.lines.all_on_faces && !file_.object.center_of_mass.isZero(0))
@@ -252,6 +254,47 @@ private:
       }
   }
 
+  /// A single driven finger in empty space: no other body and no load meets it.
+  void check_opposed() {
+    const std::vector<Index> alone = bodies_closed_alone();
+    if (alone.size() != 1 || file_.hand != Hand::independent) return;
+    const Body<double>& finger = file_.body(alone[0]);
+    const Scene<double> scene = file_.view();
+    const bool in_plane = !file_.planar || std::abs(finger.normal.z()) < 1 - typed_slack;
+    const bool is_met =
+        laws::load(scene, {1.0, 1.0, 1.0}).head<3>().dot(finger.normal) < 0 ||
+        std::any_of(file_.bodies.begin(), file_.bodies.end(), [&](const auto& other) {
+          return other.bilateral || other.normal.dot(finger.normal) < -typed_slack;
+        });
+    if (is_met || !in_plane) return;
+    doubt(Doubt::unopposed, file_.lines.bodies[static_cast<std::size_t>(alone[0])].normal,
+          "only " + quoted(file_.body_name(alone[0])) +
+              " presses and nothing presses against it; a parallel jaw is two fingers with the "
+              "same grip_force");
+  }
+
+  /// All that the object lies on, and a push along it: beyond its edge nothing bears the object.
+  void check_table() {
+    if (file_.patches.empty() || !file_.drives.empty() || file_.body(0).role != Role::finger ||
+        file_.bodies.size() < 2 || file_.body(1).role == Role::finger)
+      return;
+    const Vector3<double>& up = file_.body(0).normal;
+    const PatchShape shape = file_.patches[0];
+    const bool is_table = (shape == PatchShape::disc || shape == PatchShape::rectangle) &&
+                          !file_.strokes[0].rides_on_object &&
+                          up.dot(file_.gravity) < -(1 - typed_slack) * file_.gravity.norm();
+    const bool is_pushed =
+        std::any_of(file_.bodies.begin() + 1, file_.bodies.end(), [&](const Body<double>& body) {
+          const Vector3<double> motion = body.acceleration.head<3>();
+          return std::abs(motion.dot(up)) < least_along * motion.norm();
+        });
+    if (!is_table || !is_pushed || file_.gravity.isZero(0)) return;
+    doubt(Doubt::small_table, file_.lines.bodies[0].place,
+          file_.body_name(0) +
+              " stands still and is only as large as its shape: in a motion the object slides "
+              "off it; for a table without end write points_on = \"object\"");
+  }
+
   /// What a plane's guides would bear in silence, though a contact should.
   void check_plane() {
     const Scene<double> scene = file_.view();
@@ -306,7 +349,7 @@ const char* doubt_code(Doubt doubt) {
       "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
       "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
       "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "overhang",
-      "left_out",         "middle"};
+      "left_out",         "middle",          "unopposed",      "small_table"};
   return codes[static_cast<int>(doubt)];
 }
 

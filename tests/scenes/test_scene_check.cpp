@@ -185,6 +185,26 @@ TEST_CASE("a slip of the hand is named, with its line and what to do") {
   CHECK(millimetres.size() == 4); // and no contact is on its surface
 }
 
+TEST_CASE("a finger that nothing meets, and a table that ends where the object does") {
+  const std::string object = "gravity = [0, -9.81, 0]\n[object]\nmass = 0.06\n"
+                             "box = [0.12, 0.022, 0.014]\n";
+  const auto finger = [](const std::string& name, const std::string& more) {
+    return "[[finger]]\nname = \"" + name + "\"\nfriction = 0.5\n" + more;
+  };
+  const std::string pad = "shape = \"disc\"\nradius = 0.004\n", grip = pad + "grip_force = 25\n";
+  const std::string push = "[[pusher]]\nname = \"wall\"\nshape = \"point\"\non = \"-x\"\n"
+                           "friction = 0.3\nvelocity = [0.01, 0, 0]\n";
+  const std::string alone = object + finger("pad", grip + "on = \"+z\"\n");
+  CHECK(codes(alone + push) == Codes{"unopposed"});
+  CHECK(codes(alone + finger("stop", pad + "on = \"-z\"\n") + push) == Codes{});
+  CHECK(codes(object + finger("lift", grip + "on = \"-y\"\n") + push) == Codes{}); // its weight
+  const std::string table = object + finger("table", "shape = \"rectangle\"\nsize = [0.12, 0.014]\n"
+                                                     "on = \"-y\"\n");
+  CHECK(codes(table + push) == Codes{"small_table"});
+  CHECK(codes(with(table, "size = ", "points_on = \"object\"\nsize = ") + push) == Codes{});
+  CHECK(codes(table) == Codes{});
+}
+
 TEST_CASE("fingers that yield to the push are named, and only those") {
   const std::string roll = text_of("/tests/scenes/cylinder_roll.toml");
   CHECK(codes(with(roll, "jaws = \"parallel\"", "jaws = \"independent\"")) ==

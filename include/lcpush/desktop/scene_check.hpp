@@ -27,6 +27,8 @@ enum class Doubt {
   overhang,         ///< a line or rectangle reaches beyond the box, and is cut to what touches
   left_out,         ///< a load that planar = true drops: across the plane, or a moment out of it
   middle,           ///< nothing odd: numbers have ranges, and the scene is the middle of them
+  unopposed,        ///< a single finger presses, and nothing meets it
+  small_table,      ///< where a push goes along it, the object slides off it
 };
 
 /// As JSON spells it.
