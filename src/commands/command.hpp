@@ -93,8 +93,8 @@ inline const Option set_option{
 inline const Option certify_option{
     "certify", "FILE", "also write an exact proof of the answer for docs/check/lcpush_check.py",
     false, true};
-inline const Option seconds_option{
-    "seconds", "S", "stop after so much processor time (8), with nothing written", false, true};
+inline const Option seconds_option{"seconds", "S", "stop after so much processor time (8)", false,
+                                   true};
 inline const Option solver_option{"solver", "NAME",
                                   "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
 inline const Option pressure_option{"pressure", "LAW",

@@ -69,7 +69,7 @@ public:
     if (file_.lines.ranges > 0)
       doubt(Doubt::middle, file_.lines.ranges,
             "the middle of the ranges is taken, " + file_.lines.middle +
-                "; for every value answer `lcpush cone`, `hold` and `plan`");
+                "; hold, cone and plan answer for every value");
     std::stable_sort(doubts_.begin(), doubts_.end(),
                      [](const SceneDoubt& a, const SceneDoubt& b) { return a.line < b.line; });
     return std::move(doubts_);
