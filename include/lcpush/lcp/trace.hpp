@@ -9,8 +9,6 @@
 //     void checked(const Sweeps&)       after a check of sweeps: their number, z() and residual()
 #pragma once
 
-#include <cstdint>
-
 #include "lcpush/lcp/blocking.hpp"
 #include "lcpush/status.hpp"
 
@@ -38,69 +36,5 @@ struct Unwatched {
   template <class Sweeps> void checked(const Sweeps&) const {}
 };
 inline constexpr Unwatched unwatched{};
-
-/// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1). The bases
-/// follow from the first one by the exchanges; a watcher of one's own can keep more.
-template <class S> struct TraceEntry {
-  Index number = 0; ///< of pivots or sweeps so far, this one included
-  Index entering = -1, leaving = -1;
-  Index tied = 0;
-  TieBreak decided_by = TieBreak::none;
-  S ratio{0};   ///< at which the leaving variable blocks
-  S measure{0}; ///< z0 after the pivot, or the residual
-  Status status = Status::running;
-};
-
-/// Keeps the last entries in the caller's memory: what a controller can afford to watch.
-template <class S> class TraceRing {
-public:
-  explicit TraceRing(Span<TraceEntry<S>> memory) : memory_(memory) {}
-
-  /// Entries kept: all that came, or as many as the memory holds.
-  Index size() const { return size_; }
-  /// All that came; it counts on from zero after 2^32.
-  std::uint32_t seen() const { return seen_; }
-  /// Entry k of those kept, the oldest first. Precondition: 0 <= k < size().
-  const TraceEntry<S>& operator[](Index k) const {
-    const Index at = next_ - size_ + k;
-    return memory_[at < 0 ? at + memory_.size : at];
-  }
-
-  template <class L> void starts(const L&) {}
-  template <class L, class Int>
-  Index choose_leaving_row(const L& lemke, const PendingPivotOf<Int>& pending) {
-    entry_.entering = pending.entering;
-    entry_.tied = pending.tied.size;
-    entry_.decided_by = pending.blocking.decided_by;
-    entry_.ratio = lemke.ratio(pending.blocking.row, pending.column);
-    return pending.blocking.row;
-  }
-  template <class L> void stepped(const L& lemke) {
-    if (entry_.entering >= 0) entry_.leaving = lemke.last_pivot().leaving;
-    keep(lemke.pivots(), lemke.artificial_value(), lemke.status());
-  }
-  template <class Sweeps> void checked(const Sweeps& solver) {
-    keep(solver.sweeps(), solver.residual().residual, solver.status());
-  }
-
-private:
-  Span<TraceEntry<S>> memory_;
-  TraceEntry<S> entry_; // the next one
-  Index next_ = 0, size_ = 0;
-  std::uint32_t seen_ = 0;
-
-  void keep(Index number, const S& measure, Status status) {
-    entry_.number = number;
-    entry_.measure = measure;
-    entry_.status = status;
-    const TraceEntry<S> entry = entry_;
-    entry_ = {};
-    ++seen_;
-    if (memory_.size == 0) return;
-    memory_[next_] = entry;
-    next_ = next_ + 1 < memory_.size ? next_ + 1 : 0;
-    if (size_ < memory_.size) ++size_;
-  }
-};
 
 } // namespace lcpush
