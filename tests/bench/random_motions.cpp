@@ -1,10 +1,9 @@
-// Reliability of steps in time: `random_motions [FROM] [TO] [structured]` (default 0 1000, on the
-// dense basis). Each seed is a random grasp pushed for 200 steps of 1 ms. One line: how runs ended,
-// pivots a step, the worst residual of mechanics/model/check.hpp and the deepest penetration.
+// Reliability of steps in time: `random_motions [FROM] [TO]` (default 0 1000). Each seed is a
+// random grasp pushed for 200 steps of 1 ms. One line: how runs ended, pivots a step, the worst
+// residual of mechanics/model/check.hpp and the deepest penetration.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <vector>
 
 #include "bench/stopwatch.hpp"
@@ -15,8 +14,7 @@ namespace {
 using namespace lcpush;
 
 /// As `lcpush move --step` does: a step without an answer is tried as two of half its length.
-template <class Pivots>
-Status advance(TimeStepper<double, Pivots>& stepper, double h, int halvings, Index& split) {
+Status advance(test::OwnedMotion<double>::Stepper& stepper, double h, int halvings, Index& split) {
   const Status status = stepper.advance(h);
   if (status == Status::solved || stepper.run().lost || halvings == 0) return status;
   ++split;
@@ -24,13 +22,13 @@ Status advance(TimeStepper<double, Pivots>& stepper, double h, int halvings, Ind
   return half == Status::solved ? advance(stepper, h / 2, halvings - 1, split) : half;
 }
 
-template <class Pivots> void run_all(unsigned from, unsigned to) {
+void run_all(unsigned from, unsigned to) {
   Index ends[16] = {}, lost = 0, cold = 0, corrections = 0, steps = 0, split = 0;
   std::vector<Index> pivots;
   double residual = 0, penetration = 0;
   const double begin = bench::cpu_ms();
   for (unsigned seed = from; seed < to; ++seed) {
-    test::OwnedMotion<double, Pivots> run(test::random_grasp<double>(seed));
+    test::OwnedMotion<double> run(test::random_grasp<double>(seed));
     test::begin_random(run, seed);
     Status status = Status::solved;
     for (Index k = 0; k < 200 && status == Status::solved; ++k) {
@@ -75,8 +73,5 @@ template <class Pivots> void run_all(unsigned from, unsigned to) {
 int main(int argc, char** argv) {
   const unsigned from = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 0;
   const unsigned to = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1000;
-  if (argc > 3 && std::strcmp(argv[3], "structured") == 0)
-    run_all<StructuredLemke<double>>(from, to);
-  else
-    run_all<Lemke<double>>(from, to);
+  run_all(from, to);
 }

@@ -9,7 +9,8 @@
 namespace lcpush::test {
 
 /// A motion with its scene, faces and memory.
-template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
+template <class S> struct OwnedMotion {
+  using Stepper = TimeStepper<S, StructuredLemke<S>>;
   OwnedScene<S> owned;
   std::vector<Touching> touching; ///< empty: every point on a plane without end
   std::vector<Face<S>> faces;
@@ -18,7 +19,7 @@ template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
   Scene<S> scene{};
   Surroundings<S> around{};
   std::vector<unsigned char> bytes;
-  std::optional<TimeStepper<S, Pivots>> motion; ///< once begun
+  std::optional<Stepper> motion; ///< once begun
 
   explicit OwnedMotion(const OwnedScene<S>& its_scene) : owned(its_scene) {}
   OwnedMotion(const OwnedMotion&) = delete;
@@ -44,18 +45,13 @@ template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
               {sides.data(), static_cast<Index>(sides.size())}};
     const MotionSize size = motion_size(scene);
     motion.reset();
-    if constexpr (std::is_same_v<Pivots, StructuredLemke<S>>) {
-      const Index shared = scene.actuators.size;
-      bytes.resize(static_cast<std::size_t>(structured_motion_bytes<S>(size, shared)));
-      motion.emplace(scene, around, make_structured_motion_memory<S>(block(), size, shared));
-    } else {
-      bytes.resize(static_cast<std::size_t>(motion_bytes<S>(size)));
-      motion.emplace(scene, around, make_motion_memory<S>(block(), size));
-    }
+    const Index shared = scene.actuators.size;
+    bytes.resize(static_cast<std::size_t>(structured_motion_bytes<S>(size, shared)));
+    motion.emplace(scene, around, make_structured_motion_memory<S>(block(), size, shared));
     return motion->start();
   }
-  TimeStepper<S, Pivots>& operator*() { return *motion; }
-  TimeStepper<S, Pivots>* operator->() { return &*motion; }
+  Stepper& operator*() { return *motion; }
+  Stepper* operator->() { return &*motion; }
 
 private:
   Arena block() { return {bytes.data(), static_cast<Index>(bytes.size())}; }
@@ -63,7 +59,7 @@ private:
 
 /// A random grasp whose pusher moves at its acceleration times 20 ms. Every second one is a box
 /// with faces that end, as large as the grasp's family makes it.
-template <class Pivots> void begin_random(OwnedMotion<double, Pivots>& run, std::uint64_t seed) {
+inline void begin_random(OwnedMotion<double>& run, std::uint64_t seed) {
   const Scene3& grasp = run.owned;
   if (seed % 2 == 1) {
     const double half_x = -grasp.points.back()[0], half_z = grasp.points[0][2];

@@ -11,7 +11,7 @@ using namespace lcpush::test;
 namespace {
 
 /// Steps to `time`, each solved and checked; the deepest penetration.
-template <class S, class Pivots> double run_to(OwnedMotion<S, Pivots>& run, double time, double h) {
+template <class S> double run_to(OwnedMotion<S>& run, double time, double h) {
   double deepest = 0;
   const Index steps = static_cast<Index>(std::lround(time / h));
   for (Index k = 0; k < steps; ++k) {

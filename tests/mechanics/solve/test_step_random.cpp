@@ -65,7 +65,7 @@ TEST_CASE("random motions: every step is checked, and a step goes on from the la
   std::vector<Index> pivots;
   for (std::uint64_t seed = 0; seed < seeds(30); ++seed) {
     CAPTURE(seed);
-    OwnedMotion<double, StructuredLemke<double>> run(random_grasp<double>(seed));
+    OwnedMotion<double> run(random_grasp<double>(seed));
     begin_random(run, seed);
     for (Index k = 0; k < 200; ++k) {
       CAPTURE(k);
@@ -90,7 +90,7 @@ TEST_CASE(
   for (const auto& run_of : {std::pair(5048, 122), std::pair(1520, 20)}) {
     const auto seed = static_cast<std::uint64_t>(run_of.first);
     CAPTURE(seed);
-    OwnedMotion<double, StructuredLemke<double>> run(random_grasp<double>(seed));
+    OwnedMotion<double> run(random_grasp<double>(seed));
     begin_random(run, seed);
     Index refused = 0;
     const double end = run_of.second * 1e-3;
@@ -117,7 +117,7 @@ TEST_CASE("where nothing drives, energy never grows") {
     CAPTURE(seed);
     Scene3 grasp = random_grasp<double>(seed);
     for (Actuator<double>& actuator : grasp.actuators) actuator.inertia = 0;
-    OwnedMotion<double, StructuredLemke<double>> run(grasp);
+    OwnedMotion<double> run(grasp);
     begin_random(run, seed);
     run->prescribed(2).setZero();
     Random random(seed);

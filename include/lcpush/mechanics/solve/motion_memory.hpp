@@ -91,14 +91,9 @@ template <class S> Index motion_array_bytes(const MotionSize& size) {
   });
   return bytes;
 }
-/// Bytes that make_motion_memory takes. O(unknowns^2), as push_bytes.
-template <class S> Index motion_bytes(const MotionSize& size) {
-  return motion_array_bytes<S>(size) + push_bytes<S>(size.assembly);
-}
-/// The same for a TimeStepper over StructuredLemke, O(unknowns); `shared` as structured_bytes says.
+/// Bytes that make_structured_motion_memory takes. O(unknowns); `shared` as structured_bytes says.
 template <class S> Index structured_motion_bytes(const MotionSize& size, Index shared) {
-  return motion_bytes<S>(size) - push_bytes<S>(size.assembly) +
-         structured_bytes<S>(size.assembly, shared);
+  return motion_array_bytes<S>(size) + structured_bytes<S>(size.assembly, shared);
 }
 
 /// Cuts a motion's arrays out of an arena, beside a workspace that there is: the motion's while it
@@ -113,13 +108,7 @@ MotionMemory<S> take_motion_arrays(Arena& arena, const MotionSize& size, const W
   memory.work.complete = work.complete && !arena.exhausted();
   return memory;
 }
-/// The same with a workspace of its own.
-template <class S> MotionMemory<S> make_motion_memory(Arena arena, const MotionSize& size) {
-  MotionMemory<S> memory = take_motion_arrays<S>(arena, size, {});
-  memory.work = make_workspace<S>(arena, size.assembly);
-  return memory;
-}
-/// The same for a TimeStepper over StructuredLemke.
+/// The same with a workspace of its own, for a TimeStepper over StructuredLemke.
 template <class S>
 MotionMemory<S> make_structured_motion_memory(Arena arena, const MotionSize& size, Index shared) {
   MotionMemory<S> memory = take_motion_arrays<S>(arena, size, {});

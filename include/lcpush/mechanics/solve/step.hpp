@@ -28,9 +28,9 @@ template <class S> struct StepRun {
 
 /// The motion of `scene`'s object. Positions, poses and twists are in the hand's axes, from the
 /// place of the object's centre of mass at the start: there the hand has its origin.
-template <class S, class Pivots = Lemke<S>> class TimeStepper {
+template <class S, class Pivots> class TimeStepper {
 public:
-  /// Memory of at least motion_bytes(motion_size(scene)); `scene` and `surroundings` outlive the
+  /// Memory of make_structured_motion_memory; `scene` and `surroundings` outlive the
   /// motion.
   TimeStepper(const Scene<S>& scene, const Surroundings<S>& surroundings,
               const MotionMemory<S>& memory)
