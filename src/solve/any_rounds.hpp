@@ -25,7 +25,8 @@ public:
   void vary() { rounds_->vary(); }
   void require(double tolerance) { rounds_->require(tolerance); }
   bool carries_push() const { return rounds_->carries_push(); }
-  bool goes_on(bool turns) const { return turns || rounds_->goes_on(); }
+  bool goes_on() const { return rounds_->goes_on(); }
+  static constexpr bool goes_on_turning() { return true; }
   Status solve_limit(Assembly<double>& assembly, const PressureMemory<double>& memory,
                      PressureRun& run, PushLimit<double>& limit) {
     return rounds_->solve_limit(assembly, memory, run, limit);
@@ -58,7 +59,7 @@ private:
     void vary() override { rounds.vary(); }
     void require(double tolerance) override { rounds.require(tolerance); }
     bool carries_push() const override { return Rounds::carries_push(); }
-    bool goes_on() const override { return Rounds::goes_on(false); }
+    bool goes_on() const override { return Rounds::goes_on(); }
     Status solve_limit(Assembly<double>& assembly, const PressureMemory<double>& memory,
                        PressureRun& run, PushLimit<double>& limit) override {
       return rounds.solve_limit(assembly, memory, run, limit);

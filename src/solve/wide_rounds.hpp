@@ -19,7 +19,7 @@ public:
     sweeps_.options.tolerance /= SolveSettings().stricter; // the next round starts from it
   }
   static constexpr bool carries_push() { return true; }
-  static constexpr bool goes_on(bool) { return true; }
+  static constexpr bool goes_on() { return true; }
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& memory) {
     problem_ = problem;

@@ -74,7 +74,7 @@ template <class Pivots> class RememberedRounds {
 
 public:
   static constexpr bool carries_push() { return true; }
-  static constexpr bool goes_on(bool) { return true; } ///< as slower pushes of a solve do
+  static constexpr bool goes_on() { return true; } ///< as slower pushes of a solve do
 
   RememberedRounds(Pivots& lemke, RoundMemory& memory, StopWatcher& watcher,
                    HeldBasis<double>& held, StructuredLemke<double>& structured)

@@ -24,7 +24,8 @@ struct StartedRounds {
   Start start;
   LemkeRounds<S, Watcher, Pivots> then;
   static constexpr bool carries_push() { return true; }
-  static constexpr bool goes_on(bool) { return Start::knows_limit; }
+  static constexpr bool goes_on() { return Start::knows_limit; }
+  static constexpr bool goes_on_turning() { return Start::knows_limit; }
 
   StartedRounds(const Start& its_start, const LemkeRounds<S, Watcher, Pivots>& pivots)
       : start(its_start), then(pivots) {}

@@ -10,8 +10,8 @@
 //     void require(tolerance)      of the answers from now on, as far as the solver gets
 //     bool carries_push()          does it solve for the limit of a vanishing push exactly?
 //     Status solve_limit(assembly, memory, run, limit)    that limit, if so
-//     bool goes_on(turns)          may a slower push go on from the last one's pressure? turns:
-//                                  of pads that settle together with pyramids that turn
+//     bool goes_on()               may a slower push go on from the last one's pressure?
+//     bool goes_on_turning()       the same of pads that settle together with pyramids that turn
 //
 // A step is at most one pivot; Gauss-Seidel sweeps are made all at once. The watcher
 // (lcp/trace.hpp) sees every pivot and every check of sweeps, of all rounds. Where pivots may begin
@@ -67,7 +67,8 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   LemkeOptions<S> options;
   Watcher& watcher;
   static constexpr bool carries_push() { return true; }
-  static constexpr bool goes_on(bool) { return false; }
+  static constexpr bool goes_on() { return false; }
+  static constexpr bool goes_on_turning() { return false; }
 
   explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -164,7 +165,8 @@ template <class S, class Watcher = const Unwatched> struct SweepRounds {
   SweepOptions<S> options;
   Watcher& watcher;
   static constexpr bool carries_push() { return false; }
-  static constexpr bool goes_on(bool) { return false; }
+  static constexpr bool goes_on() { return false; }
+  static constexpr bool goes_on_turning() { return false; }
 
   explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)

@@ -100,7 +100,8 @@ private:
   }
 
   bool may_go_on() const {
-    return rounds_.goes_on(turns()) && assembly_.scene().pressure == Pressure::pad;
+    if (turns()) return rounds_.goes_on_turning();
+    return rounds_.goes_on() && assembly_.scene().pressure == Pressure::pad;
   }
 
   /// Where the third push is off the line of the first two, a change of mode lies between, and
@@ -181,7 +182,7 @@ private:
     const BreakingSettings<S> settings;
     PressureOptions<S> options = options_;
     const bool is_slow = k > 2 || !has_round_friction(assembly_.scene());
-    if (rounds_.goes_on(false) && is_slow && size < settings.first_push)
+    if (rounds_.goes_on() && is_slow && size < settings.first_push)
       options.first_compliance *= size / settings.first_push;
     const Index few = settings.pivots_an_unknown * assembly_.layout().size;
     if (turns() && may_go_on() && !goes_on_ &&
