@@ -82,6 +82,7 @@ private:
   PressureRun run_{};
   Phase phase_ = Phase::literal;
   Index stiff_starts_ = 0, fine_ = 0;     // that have been made
+  S runaway_{PadSettings::runaway};       // beyond it the forces of rounds are lost
   bool warm_ = false, restarted_ = false; // this round
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
@@ -126,7 +127,7 @@ private:
   }
 
   Status end_round(Status status) {
-    if (status != Status::solved && warm_ && !restarted_ && options_.slowest > S(0))
+    if (status != Status::solved && warm_ && !restarted_)
       return schedule_.fall_slower() ? next_round() : restart();
     if (status != Status::solved) return end_pads(status);
     const S violation = detail::pad_violation(assembly_, memory_);
@@ -137,7 +138,7 @@ private:
     if (is_pressed && is_settled && !refines(violation)) return Status::solved;
     if (!is_settled && !may_turn()) return unsettled();
     turn(); // settled ones too: corners hold what the next pressure changes
-    if (forces_over_load() > options_.runaway) return end_pads(Status::numerical_breakdown);
+    if (forces_over_load() > runaway_) return end_pads(Status::numerical_breakdown);
     if (is_pressed)
       schedule_.keep();
     else
@@ -152,7 +153,8 @@ private:
   /// The pads have failed.
   Status end_pads(Status status) {
     if (phase_ == Phase::soft_pads && status == Status::bad_input) return status;
-    if (phase_ == Phase::soft_pads || stiff_starts_ < options_.stiff_starts) return begin_literal();
+    if (phase_ == Phase::soft_pads || stiff_starts_ < PadSettings::stiff_starts)
+      return begin_literal();
     return Status::numerical_breakdown;
   }
 
@@ -170,9 +172,9 @@ private:
   Status begin_stiff() {
     ++run_.cold_restarts;
     ++stiff_starts_;
-    options_.first_compliance *= options_.stiff_start;
+    options_.first_compliance *= PadSettings::stiff_start<S>();
     // The literal answer shows what forces there have to be.
-    options_.runaway *= Eigen::numext::maxi(S(1), forces_over_load());
+    runaway_ *= Eigen::numext::maxi(S(1), forces_over_load());
     rounds_.vary();
     return begin_pads(Phase::stiff_pads);
   }

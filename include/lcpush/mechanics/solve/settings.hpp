@@ -12,21 +12,27 @@
 namespace lcpush {
 
 /// Of a pressure law's proximal iterations ("rounds").
+struct PadSettings {
+  static constexpr Index most_rounds = 60; ///< a median of 7 is enough (docs/theory/numerics.md)
+  /// The factor of a round is no larger than this after rounds that were lost.
+  template <class S> static constexpr S slowest() { return S(7) / S(10); }
+  static constexpr Index stiff_starts = 2; ///< from the literal basis, if those from nothing fail
+  /// The first compliance of each, beside the one before.
+  template <class S> static constexpr S stiff_start() { return S(1) / S(100); }
+  /// A squeeze that rounds only tighten: a normal force beyond this, in what the scene's forces and
+  /// prescribed motions ask for.
+  static constexpr int runaway = 1000;
+};
+
+/// What may be asked of them.
 template <class S> struct PressureOptions {
   S first_compliance{S(1) / S(100)}; ///< eps of round 1: a hundredth of the grip's force over mass,
                                      ///< so that a pad's modes are nearly those of the end
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round, 10^-1/2; the fewest pivots of
                                      ///< 10^-1/4 to 10^-1 on random grasps
-  S slowest{S(7) / S(10)};           ///< .. and by no larger one after rounds that were lost, which
-                                     ///< are tried again; 0: one that is lost is not
-  Index max_rounds = 60;             ///< a median of 7 is enough (docs/theory/numerics.md)
-  Index stiff_starts = 2;       ///< from the literal basis, if the rounds from nothing are lost
-  S stiff_start{S(1) / S(100)}; ///< the first compliance of each, beside the one before
   Index max_turns = 64; ///< of round friction's pyramids; Newton's method takes 4, loads within
                         ///< 1e-4 of the limit of friction up to 60
   Index max_pivots = 0; ///< of all rounds together; 0: the solver's limits alone
-  S runaway{1000}; ///< a squeeze that rounds only tighten: a normal force beyond this, in what the
-                   ///< scene's forces and prescribed motions ask for
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
   Index fine_rounds = 0; ///< so many more at most, while the violation or the distance from
                          ///< [T.16] is above `finest`
