@@ -74,8 +74,7 @@ private:
     for (Index i = 0; i < static_cast<Index>(file.points.size()); ++i)
       look.modes.push_back(push.last_answer().contacts[i].mode);
     look.there = {report.breaking.twist, report.breaking.force};
-    if (file.planar) // what keeps the object in its plane is left out of the balance
-      for (const Index k : {2, 3, 4}) look.there.wrench[k] = 0;
+    stay_in_plane(push.scene(), look.there.wrench); // what keeps it there is no balance's
     return look;
   }
 

@@ -146,7 +146,7 @@ private:
 
   Quantity newton_row(Index k) const {
     const std::string axis = signed_axes[k % 3];
-    if (scene_.planar && k >= 2 && k <= 4)
+    if (!moves_along(scene_, k))
       return {k == 2 ? "no motion along +z: planar" : "no turn about " + axis + ": planar",
               twist_symbols[k], "", "[T.1]", motion(k >= 3)};
     const Scales<double>& scales = layout_.scales;

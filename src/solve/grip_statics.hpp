@@ -71,7 +71,7 @@ public:
   /// And of the gaps that points have opened, >= 0.
   const Eigen::MatrixXd& gaps() const { return gaps_; }
   /// A row's axis of the twist: 0 to 5.
-  Index axis(Index row) const { return moving_ == 3 && row == 2 ? 5 : row; }
+  Index axis(Index row) const { return balance_axis(assembled_.scene, row); }
 
 protected:
   const SceneFile& file_;

@@ -191,7 +191,7 @@ Outcome<double> Push::outcome() const {
     if (scene_.bodies[b].role == Role::pusher)
       outcome.wrench += body_wrench(scene_, work_.answer, scene_.bodies[b]);
   // Nothing in a plane says how an edge across it shares its force along z.
-  if (scene_.planar) outcome.wrench.segment<3>(2).setZero();
+  stay_in_plane(scene_, outcome.wrench);
   return outcome;
 }
 

@@ -37,7 +37,7 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
     const Vector6<double> wrench =
         wrench_column<double>(scene.points[i] / layout.scales.length, direction);
     does.head<6>() = wrench;
-    for (Index k = 2; scene.planar && k <= 4; ++k) does[k] = 0; // nothing moves out of the plane
+    stay_in_plane(scene, does);
     for (const Drive<double>& drive : scene.drives)
       if (drive.body == layout.body[i])
         does[6 + drive.actuator] +=
@@ -47,7 +47,7 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(balances, balances);
   Eigen::VectorXd wanted(balances);
   wanted.head<6>() = -laws::load(scene, layout.scales);
-  for (Index k = 2; scene.planar && k <= 4; ++k) wanted[k] = 0;
+  stay_in_plane(scene, wanted);
   for (Index a = 0; a < layout.actuators; ++a) wanted[6 + a] = assembly.factored().sums[a].target;
   for (Index i = 0; i < layout.points; ++i) {
     const Body<double>& body = scene.bodies[layout.body[i]];

@@ -94,9 +94,9 @@ Rows AnswerCompleter::newton_rows() const {
   const Vector6<double> a = scales.acceleration * (laws::newton(scene_, scales) * wrench);
   Rows rows;
   for (Index k = 0; k < 6; ++k) {
-    const bool is_out = scene_.planar && k >= 2 && k <= 4; // nothing moves out of the plane
-    if (is_out || (k < 3 ? has_force : has_moment))
-      rows.emplace_back(Eigen::VectorXd::Unit(6 + layout_.actuators, k), is_out ? 0 : a[k]);
+    if (!moves_along(scene_, k) || (k < 3 ? has_force : has_moment))
+      rows.emplace_back(Eigen::VectorXd::Unit(6 + layout_.actuators, k),
+                        moves_along(scene_, k) ? a[k] : 0);
   }
   return rows;
 }

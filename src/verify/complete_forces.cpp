@@ -25,7 +25,7 @@ Eigen::VectorXd AnswerCompleter::column(const PointForce& force) const {
   const Vector6<double> W = laws::friction_direction(body, scene_.points[i], d, scales);
   Eigen::VectorXd rows = Eigen::VectorXd::Zero(cones + 4 * layout_.points);
   rows.head<6>() = W;
-  if (scene_.planar) rows.segment<3>(2).setZero(); // out-of-plane balance is dropped
+  stay_in_plane(scene_, rows);
   for (const Drive<double>& drive : scene_.drives)
     if (drive.body == b)
       rows[6 + drive.actuator] +=
@@ -52,7 +52,7 @@ Eigen::VectorXd AnswerCompleter::targets() const {
   b.head<6>() << scene_.object.mass * answer_.acceleration.head<3>() / scales.force,
       scene_.object.inertia * answer_.acceleration.tail<3>() / (scales.force * scales.length);
   b.head<6>() -= laws::load(scene_, scales);
-  if (scene_.planar) b.segment<3>(2).setZero();
+  stay_in_plane(scene_, b);
   for (Index a = 0; a < layout_.actuators; ++a) {
     const SumGroup<double> grip = laws::grip_force(scene_, a, layout_.reach[a], scales);
     b[6 + a] =

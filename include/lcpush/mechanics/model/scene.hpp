@@ -111,6 +111,19 @@ template <class S> bool presses_evenly(const Scene<S>& scene) {
   return scene.pressure == Pressure::even;
 }
 
+/// Does the object move along the k-th component of a twist? In a plane not out of it.
+template <class S> bool moves_along(const Scene<S>& scene, Index k) {
+  return !scene.planar || k < 2 || k > 4;
+}
+/// Row by row, the component of a wrench that has to balance: x, y and the turn in the plane.
+template <class S> Index balance_axis(const Scene<S>& scene, Index row) {
+  return scene.planar && row == 2 ? 5 : row;
+}
+/// Of a vector that begins with a wrench or a twist: nothing is left that points out of the plane.
+template <class S, class Vector> void stay_in_plane(const Scene<S>& scene, Vector& vector) {
+  if (scene.planar) vector.template segment<3>(2).setZero();
+}
+
 /// The share of `point`, one of the body's. Pre: the body is of this scene.
 template <class S> S weight_of(const Scene<S>& scene, const Body<S>& body, Index point) {
   return scene.weights.size > 0 ? scene.weights[point] : S(1) / S(body.point_count);

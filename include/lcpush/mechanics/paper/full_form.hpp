@@ -116,7 +116,7 @@ private:
     for (Index k = 0; k < 6; ++k) {
       M(a + k, a + k) = S(1);
       q[a + k] = S(0);
-      if (scene().planar && k >= 2 && k <= 4) continue;
+      if (!moves_along(scene(), k)) continue;
       q[a + k] = -w[k];
       for (Index l = 3; k >= 3 && l < 6; ++l)
         M(a + k, a + l) = scene().object.inertia(k - 3, l - 3) / unit;

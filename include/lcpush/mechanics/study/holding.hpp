@@ -36,7 +36,7 @@ public:
   Index count() const { return count_; }
   Index moving() const { return scene_.planar ? 3 : 6; } ///< rows of the object, then the actuators
   Index rows() const { return moving() + layout_.actuators; }
-  Index axis(Index row) const { return detail::balance_axis(scene_, row); }
+  Index axis(Index row) const { return balance_axis(scene_, row); }
   const Body<S>& body(Index point) const { return scene_.bodies[layout_.body[point]]; }
 
   void write(Index j, const Span<S>& column) const {

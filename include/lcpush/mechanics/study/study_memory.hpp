@@ -20,11 +20,6 @@ template <class S> bool grips(const Scene<S>& scene, Index actuator) {
 
 namespace detail {
 
-/// Row by row, the component of a wrench that has to balance: x, y and the turn in the plane.
-template <class S> Index balance_axis(const Scene<S>& scene, Index row) {
-  return scene.planar && row == 2 ? 5 : row;
-}
-
 /// Extreme rays of a point's cone: visit(normal, friction), columns of G, equal without friction.
 template <class S, class Visit>
 void for_each_ray(const ConeGroup<S>& cone, const Visit& visit, bool smooth = false) {
