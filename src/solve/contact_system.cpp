@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dense/decompositions.hpp"
-#include "lcpush/mechanics/model/laws.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -35,10 +34,8 @@ VectorXd ContactSystem::along(Index i, const Vector6<double>& wrench) const {
   const Layout<double>& layout = assembly_.layout();
   VectorXd column = VectorXd::Zero(motions_);
   column.head<6>() = wrench;
-  for (const Drive<double>& drive : assembly_.scene().drives)
-    if (drive.body == layout.body[i])
-      column[6 + drive.actuator] -=
-          laws::grip_coefficient(drive, wrench, layout.reach[drive.actuator], layout.scales);
+  for_each_grip(assembly_.scene(), layout, layout.body[i], wrench,
+                [&](Index a, double grip) { column[6 + a] -= grip; });
   return column;
 }
 

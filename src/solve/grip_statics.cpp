@@ -62,14 +62,10 @@ Eigen::VectorXd GripStatics::normal_of(Index b, Index point) const {
 /// A force's column: its wrench, what it does to the actuators, and its share of the sum.
 Eigen::VectorXd GripStatics::force_column(Index body, const Vector6<double>& column,
                                           bool presses) const {
-  const Scene<double>& scene = assembled_.scene;
-  const Layout<double>& layout = assembled_.assembly.layout();
   Eigen::VectorXd does = Eigen::VectorXd::Zero(rows_);
   for (Index row = 0; row < moving_; ++row) does[row] = column[axis(row)];
-  for (const Drive<double>& drive : scene.drives)
-    if (drive.body == body)
-      does[moving_ + drive.actuator] +=
-          laws::grip_coefficient(drive, column, layout.reach[drive.actuator], layout.scales);
+  for_each_grip(assembled_.scene, assembled_.assembly.layout(), body, column,
+                [&](Index a, double grip) { does[moving_ + a] += grip; });
   for (Index a = moving_; a < sum_row_; ++a)
     if (std::abs(does[a]) <= ModelSettings<double>::across_drive()) does[a] = 0;
   does[sum_row_] = presses ? 1 : 0;

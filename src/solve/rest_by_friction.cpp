@@ -38,10 +38,8 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
         wrench_column<double>(scene.points[i] / layout.scales.length, direction);
     does.head<6>() = wrench;
     stay_in_plane(scene, does);
-    for (const Drive<double>& drive : scene.drives)
-      if (drive.body == layout.body[i])
-        does[6 + drive.actuator] +=
-            laws::grip_coefficient(drive, wrench, layout.reach[drive.actuator], layout.scales);
+    for_each_grip(scene, layout, layout.body[i], wrench,
+                  [&](Index a, double grip) { does[6 + a] += grip; });
     return does;
   };
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(balances, balances);

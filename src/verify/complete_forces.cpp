@@ -26,10 +26,7 @@ Eigen::VectorXd AnswerCompleter::column(const PointForce& force) const {
   Eigen::VectorXd rows = Eigen::VectorXd::Zero(cones + 4 * layout_.points);
   rows.head<6>() = W;
   stay_in_plane(scene_, rows);
-  for (const Drive<double>& drive : scene_.drives)
-    if (drive.body == b)
-      rows[6 + drive.actuator] +=
-          laws::grip_coefficient(drive, W, layout_.reach[drive.actuator], scales);
+  for_each_grip(scene_, layout_, b, W, [&](Index a, double grip) { rows[6 + a] += grip; });
   if (!given_.bodies.empty()) {
     const Index of = file_.body_of(i); // under even pressure each of its points is a body
     const ForeignBody& given = given_.bodies[static_cast<std::size_t>(of)];

@@ -332,6 +332,17 @@ template <class S> void Assembly<S>::command() {
   add_motions();
 }
 
+/// [T.5] What a force on `body` with this column does to the hand: visit(actuator, coefficient),
+/// once a drive of the body.
+template <class S, class Visit>
+void for_each_grip(const Scene<S>& scene, const Layout<S>& layout, Index body,
+                   const Vector6<S>& column, const Visit& visit) {
+  for (const Drive<S>& drive : scene.drives)
+    if (drive.body == body)
+      visit(drive.actuator,
+            laws::grip_coefficient(drive, column, layout.reach[drive.actuator], layout.scales));
+}
+
 #ifdef LCPUSH_EXTERN_TEMPLATES
 extern template class Assembly<double>;
 #endif

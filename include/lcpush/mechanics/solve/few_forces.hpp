@@ -85,10 +85,8 @@ public:
     const Vector6<S>& wrench = assembly_.factored().wrenches[force];
     Balance<S> row = Balance<S>::Zero();
     row.template head<6>() = wrench;
-    for (const Drive<S>& drive : assembly_.scene().drives)
-      if (drive.body == body)
-        row[6 + drive.actuator] -= laws::grip_coefficient(
-            drive, wrench, assembly_.layout().reach[drive.actuator], assembly_.layout().scales);
+    for_each_grip(assembly_.scene(), assembly_.layout(), body, wrench,
+                  [&](Index a, const S& grip) { row[6 + a] -= grip; });
     return taken_.count() < most && taken_.take(row, S(LeastSquaresSettings::force_dependent));
   }
 

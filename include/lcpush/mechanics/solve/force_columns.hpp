@@ -25,11 +25,8 @@ protected:
   Balance<S> column(Index b, Index force) const {
     Balance<S> column = Balance<S>::Zero();
     column.template head<6>() = assembly_.factored().mobility.lazyProduct(wrench(force));
-    for (const Drive<S>& drive : assembly_.scene().drives)
-      if (drive.body == b)
-        column[6 + drive.actuator] -=
-            laws::grip_coefficient(drive, wrench(force), assembly_.layout().reach[drive.actuator],
-                                   assembly_.layout().scales);
+    for_each_grip(assembly_.scene(), assembly_.layout(), b, wrench(force),
+                  [&](Index a, const S& grip) { column[6 + a] -= grip; });
     return column;
   }
   /// column(b, force)' rest is the force's wrench times this.
