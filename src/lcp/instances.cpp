@@ -19,7 +19,7 @@ template class ProximalNewton<double>;
 template class BlockGaussSeidel<double>;
 template void fill_matrix<double>(const Problem<double>&, MatrixMap<double>);
 template void equilibrate<double>(MatrixMap<double>, VectorMap<double>, VectorMap<double>,
-                                  VectorMap<double>, int);
+                                  VectorMap<double>);
 template Vector6<double> contact_wrench<double>(const FactoredProblem<double>&, const double*);
 namespace detail {
 template void multiply_factored<double>(const FactoredProblem<double>&, Index, const double*,

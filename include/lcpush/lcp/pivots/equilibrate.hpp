@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "lcpush/lcp/pivots/settings.hpp"
 #include "lcpush/types.hpp"
 
 namespace lcpush {
@@ -27,13 +28,13 @@ template <class S> S power_below(const S& x) {
 }
 
 /// Scales M in place so that the largest entry of every row and column comes near 1, and multiplies
-/// the factors into row_scale and column_scale (Ruiz's iteration). Cost: at most `passes` times
-/// three sweeps over M; it ends when a pass changes nothing.
+/// the factors into row_scale and column_scale (Ruiz's iteration). Cost: a few times three
+/// sweeps over M; it ends when a pass changes nothing.
 template <class S>
 void equilibrate(MatrixMap<S> M, VectorMap<S> row_scale, VectorMap<S> column_scale,
-                 VectorMap<S> scratch, int passes = 3) {
+                 VectorMap<S> scratch) {
   bool changes = true;
-  for (int pass = 0; pass < passes && changes; ++pass) {
+  for (int pass = 0; pass < LemkeSettings::equilibrations && changes; ++pass) {
     changes = false;
     scratch.setZero();
     for (Index j = 0; j < M.cols(); ++j) {
@@ -71,7 +72,7 @@ template <class S> S generic_number(std::uint32_t seed, Index i) {
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
 extern template void equilibrate<double>(MatrixMap<double>, VectorMap<double>, VectorMap<double>,
-                                         VectorMap<double>, int);
+                                         VectorMap<double>);
 #endif
 
 } // namespace lcpush

@@ -22,6 +22,8 @@ struct LemkeSettings {
   static constexpr Index pivots_between_looks = 64;
   /// Values that are off by so many tie tolerances have drifted. Not measured.
   static constexpr int drift = 100;
+  /// Passes of equilibration, at most. Not measured.
+  static constexpr int equilibrations = 3;
   /// Passes of iterative refinement; it ends as soon as one gains nothing. More, while what is left
   /// would pass barely and each halves it. Points beside the centre of a turn slip 1e5 times as
   /// slowly as others, and their round friction leaves a thirtieth a pass.
