@@ -83,7 +83,7 @@ endfunction()
 embed_files(example_scenes "${FIXTURES}/scenes/*.toml")
 
 # The function `name` returns the scripts that FOLDER/scripts.txt lists, joined; without their margin
-# and the comments that have a line of their own.
+# and the comments that have a line of their own or stand at the end of one.
 function(embed_scripts name folder)
   file(STRINGS "${folder}/scripts.txt" files)
   set(script "")
@@ -93,6 +93,7 @@ function(embed_scripts name folder)
   endforeach()
   without_margin(script "\n${script}")
   string(REGEX REPLACE "\n//[^\n]*" "" script "${script}")
+  string(REGEX REPLACE "([;,{})]) +// [^\n\"'`]*\n" "\\1\n" script "${script}")
   string(REGEX REPLACE "\n\n+" "\n" script "${script}")
   embed(${name} "${script}")
   set(definitions "${definitions}" PARENT_SCOPE)
