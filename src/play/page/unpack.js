@@ -2,7 +2,8 @@
 (() => {
   const alphabet = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz'
     + '!#%()*+,-./:=?@^_{|}~$;';
-  const literal_bits = 4; // how many of the last byte's bits tell what may come next
+  // How many of the last byte's bits tell what may come next.
+  const literal_bits = 4;
 
   /// Four bytes of five characters.
   function bytes_of(digits) {
