@@ -171,8 +171,8 @@ std::string report_html(const PageContent& content) {
   if (solved) sections.push_back(residual_section(content));
   sections.push_back(inputs_section(content));
   const std::string& path = content.file.lines.file;
-  const std::string title = escaped(
-      content.file.title.empty() ? path.substr(path.rfind('/') + 1) : content.file.title);
+  const std::string title =
+      escaped(content.file.title.empty() ? path.substr(path.rfind('/') + 1) : content.file.title);
   std::string page = page_head(title) + section_html(answer_section(content)) +
                      "<nav aria-label=\"On this page\">\n<ul>\n";
   std::string main;
