@@ -3,6 +3,7 @@
 
 #include "draw/view.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/format.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
