@@ -39,7 +39,7 @@ def legs(friction=0.5, points=(2, 2), center=(0, 0, -0.02), size=(0.04, 0.04)):
 
 
 def hold(text, *words):
-    result = run("-", *words, "--json", text=text)
+    result = run("-", *words, "--json", "--seconds", "600", text=text)
     assert result.returncode in (0, 1), result.stderr
     return json.loads(result.stdout)
 
