@@ -7,6 +7,7 @@
 
 #include "cli/shell.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/scene_io.hpp"
 #include "scenes/new_scene.hpp"
 #include "scenes/shipped_scenes.hpp"
 #include "text/wording.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 /// What nothing pushes is asked how well it holds.
 void tell_next(const std::string& path, const std::string& scene) {
-  const bool is_pushed = scene.find("[[pusher]]") != std::string::npos;
+  const bool is_pushed = desktop::parse_scene(scene, path).bodies.back().role == Role::pusher;
   tell("Wrote " + path + "; next: lcpush " + (is_pushed ? "solve " : "hold ") + path);
 }
 

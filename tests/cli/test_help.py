@@ -69,8 +69,10 @@ class HelpTest(ToolTest):
             said = unwrapped(run(*words, "-o", page).stderr)
             said = said[max(said.find("Wrote"), 0):]  # after progress
             self.assertEqual(said, f"Wrote {page}; open it in a browser.")
-        said = unwrapped(run("new", "box", "-o", mine).stderr)
-        self.assertEqual(said, f"Wrote {mine}; next: lcpush solve {mine}")
+        for words, next_one in ("new box", "solve"), ("new box --push none", "hold"), ("example coin", "solve"), ("example vise", "hold"):
+            mine.unlink(missing_ok=True)
+            said = unwrapped(run(*words.split(), "-o", mine).stderr)
+            self.assertEqual(said, f"Wrote {mine}; next: lcpush {next_one} {mine}")
         self.assertEqual(run("solve", SLIDE, "--json", "-o", page).stderr, "")
 
     def test_axes_of_sweeps_are_words_with_units(self):
