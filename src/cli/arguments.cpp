@@ -267,6 +267,9 @@ std::vector<Variation> Arguments::variations(const VariedScene& scene) const {
     const auto typed = typed_ends(ends.front(), ends.back(), parameter.unit);
     const double from = value_of(typed.first, "vary", text),
                  to = value_of(typed.second, "vary", text);
+    parameter.typed_unit = typed.second.unit;
+    if (!parameter.typed_unit.empty())
+      parameter.typed_size = typed_number("1 " + parameter.typed_unit, parameter.unit).value();
     if (from == to)
       throw UsageError("--vary " + desktop::quoted(text) + ": from and to are the same");
     list.push_back({parameter, from, to});

@@ -25,15 +25,18 @@ bool is_same_jam(const Jam& a, const Jam& b) {
 }
 
 /// Where modes change, and where there are two answers.
-std::vector<std::string> sweep_changes(const Sweep& sweep) {
+std::vector<std::string> sweep_changes(const Sweep& given) {
+  const Sweep sweep = in_typed_units(given);
+  const std::string& name = sweep.variations[0].parameter.unit;
+  const std::string unit = name.empty() ? "" : " " + name;
   std::vector<std::string> list;
-  const auto add = [&list](double value, const std::string& change) {
-    if (!change.empty()) list.push_back("At " + number(value) + ": " + change);
+  const auto add = [&](double value, const std::string& change) {
+    if (!change.empty()) list.push_back("At " + number(value) + unit + ": " + change);
   };
   for (const SweepSegment& segment : sweep.segments) add(segment.to, change_text(sweep, segment));
   for (const SweepPoint& point : sweep.points) add(point.value, change_text(sweep, point));
   for (const BistableRange& range : sweep.bistable)
-    list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) +
+    list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) + unit +
                    ": the way back ends in another answer there");
   return list;
 }

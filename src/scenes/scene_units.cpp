@@ -132,10 +132,10 @@ SiNumber in_si(std::string_view text, const std::vector<std::string>& si) {
   });
   if (unit == std::end(units)) return {"", objection(number, name, si)};
   if (name.substr(0, 3) != "deg" || unit->si == std::string_view("degrees"))
-    return {unit->power == 0 ? number : scaled(number, unit->power), ""};
+    return {unit->power == 0 ? number : scaled(number, unit->power), "", name};
   const std::optional<Rational> degrees = Rational::parse(number);
   if (!degrees) return {"", "too long to be read exactly"};
-  return {radians(*degrees).text(), ""};
+  return {radians(*degrees).text(), "", name};
 }
 
 /// A number, or a fraction such as 1/3, without a unit.

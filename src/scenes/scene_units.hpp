@@ -19,7 +19,8 @@ TomlDocument parse_scene_tables(std::string_view text, const std::string& file_n
 /// fraction; or why it is no such number.
 struct SiNumber {
   std::string digits, refusal;
-  double value() const; ///< pre: not refused
+  std::string unit = {}; ///< as typed; empty of a bare number
+  double value() const;  ///< pre: not refused
 };
 /// What is typed outside of a file: "20 mm", or a bare number or fraction, in `unit`.
 SiNumber typed_number(std::string_view word, const std::string& unit);

@@ -58,6 +58,8 @@ struct SweepSettings {
   static constexpr double alike = 1e-2;            ///< of the range: both questions' events are one
   static constexpr double one_place = 1e-5;     ///< of the range: ten times what bisection leaves
   static constexpr double unsaid = 5e-4;        ///< of the largest force: not seen in three digits
+  static constexpr double hardly = 0.05;        ///< of the largest force: less than is measured
+  static constexpr double little = 0.25;        ///< .. less than friction is known
   static constexpr double short_piece = 1e-3;   ///< of the range: too short to tell its slope
   static constexpr double short_stretch = 1e-2; ///< of the range: an extreme is at a place
   static constexpr double worth_a_word = 0.01;  ///< of the force, where the forces alone differ

@@ -90,6 +90,18 @@ std::string course_text(const Sweep& sweep, const ForceCurve& curve) {
   return "lies between " + low + place(lowest) + " and " + high + place(most);
 }
 
+std::string percent(double share) { return in_digits(100 * share, 2) + " %"; }
+
+/// "hardly changes: it " or "changes by 20 % at most: it " of a force that changes little.
+std::string share_text(const ForceCurve& curve) {
+  const auto [lowest, most] = std::minmax_element(curve.begin(), curve.end(), by_force);
+  const double share =
+      (most->second - lowest->second) / std::max(std::abs(lowest->second), std::abs(most->second));
+  if (!(share > SweepSettings::unsaid && share <= SweepSettings::little)) return "";
+  return share <= SweepSettings::hardly ? "hardly changes: it "
+                                        : "changes by " + percent(share) + " at most: it ";
+}
+
 /// ", by 1 to 8.76 N per N", where the force is a straight line between breakpoints.
 std::string slope_text(const Sweep& sweep, Question question, const ForceCurve& curve) {
   if (question != Question::breaking || sweep.segments.empty()) return "";
@@ -295,7 +307,7 @@ std::string message_text(const Sweep& sweep) {
   if (curve.empty())
     text = head + "no push has an answer.\n";
   else
-    text = head + subject(sweep, question) + " " + course_text(sweep, curve) +
+    text = head + subject(sweep, question) + " " + share_text(curve) + course_text(sweep, curve) +
            slope_text(sweep, question, curve) + ".\n";
   return text + gaps_text(sweep) + end;
 }
@@ -308,8 +320,8 @@ std::string bistable_text(const Sweep& sweep, const BistableRange& range, Tellin
                                 ? "At " + with_unit(variation, range.from)
                                 : "From " + value_text(variation, std::min(range.from, range.to)) +
                                       " to " + with_unit(variation, std::max(range.from, range.to));
-  const std::string forces = "by up to " + newtons(range.force_difference, 0) + " (" +
-                             in_digits(100 * range.force_share, 2) + " %)";
+  const std::string forces =
+      "by up to " + newtons(range.force_difference, 0) + " (" + percent(range.force_share) + ")";
   return capital(where) + " there are two answers: on the way back " +
          (range.motion ? object_name(sweep.scene) + " moves in another way" +
                              (range.force_share < SweepSettings::worth_a_word

@@ -15,6 +15,8 @@ namespace {
 using Kind = SweepQuantity::Kind;
 using Curve = std::vector<std::vector<std::pair<double, double>>>;
 
+const std::vector<SweepQuantity> both_forces = {{Kind::break_force, 0}, {Kind::force, 0}};
+
 /// Adds a point; after a gap a new piece begins.
 void extend(Curve& curve, bool gap, double x, double y) {
   if (gap || curve.empty()) curve.emplace_back();
@@ -203,12 +205,19 @@ private:
 
 } // namespace
 
-std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& title,
+std::string sweep_svg(const std::vector<SweepCurve>& given, const std::string& title,
                       const std::vector<SweepQuantity>& shown) {
+  std::vector<SweepCurve> curves = given;
+  for (SweepCurve& curve : curves) curve.sweep = in_typed_units(std::move(curve.sweep));
   const Sweep& sweep = curves.front().sweep;
   if (sweep.is_map()) return sweep_map_svg(sweep, title, shown);
-  const std::vector<SweepQuantity> both = {{Kind::break_force, 0}, {Kind::force, 0}};
-  return plot_svg(LinePlot(curves, shown.empty() ? both : shown).plot(title));
+  return plot_svg(LinePlot(curves, shown.empty() ? both_forces : shown).plot(title));
+}
+
+std::string sweep_svg(const Sweep& sweep, const std::string& title) {
+  std::vector<SweepQuantity> shown = both_forces;
+  if (const auto axis = axis_of_turn(sweep)) shown.push_back({Kind::twist, 3 + *axis});
+  return sweep_svg({{"", "", std::nullopt, sweep}}, title, shown);
 }
 
 } // namespace lcpush::desktop

@@ -39,15 +39,22 @@ double largest_force(const Sweep& sweep) {
   return largest;
 }
 
-/// Of the push: linear and angular acceleration. Either is zero beside the other, over the scene's
-/// length, where it is unfelt.
-void add_motion(std::vector<std::string>& row, const SweepAnswer& push, int digits) {
-  const double linear = push.twist.head<3>().norm(), angular = push.twist.tail<3>().norm();
+/// Of the push: linear and angular acceleration, of a turn about one axis with its sign. Either is
+/// zero beside the other, over the scene's length, where it is unfelt.
+void add_motion(std::vector<std::string>& row, const SweepAnswer& push,
+                const std::optional<Index>& axis, int digits) {
+  const Vector3<double> turn = push.twist.tail<3>();
+  const double linear = push.twist.head<3>().norm(), angular = turn.norm();
   const double length = push.turning_noise > 0 ? push.motion_noise / push.turning_noise : 1;
   row.push_back(answer_cell(push, linear, digits,
                             std::max(push.motion_noise, SweepSettings::unfelt * angular * length)));
-  row.push_back(answer_cell(push, angular, digits,
+  row.push_back(answer_cell(push, axis ? turn[*axis] : angular, digits,
                             std::max(push.turning_noise, SweepSettings::unfelt * linear / length)));
+}
+
+/// "rad/s^2 z" of a turn about one axis.
+std::string turn_head(const std::optional<Index>& axis) {
+  return "rad/s^2" + (axis ? std::string(" ") + "xyz"[*axis] : "");
 }
 
 /// A row of the brief table.
@@ -132,6 +139,20 @@ std::string event_place(const Variation& variation, const SweepEvent& event) {
   return pushed == place ? place : place + " (as prescribed at " + pushed + ")";
 }
 
+std::optional<Index> axis_of_turn(const Sweep& sweep) {
+  Vector3<double> most = Vector3<double>::Zero();
+  double noise = 0;
+  for_each_value(sweep, [&](const SweepValue& value) {
+    most = most.cwiseMax(value.push.twist.tail<3>().cwiseAbs());
+    noise = std::max(noise, value.push.turning_noise);
+  });
+  const double zero = std::max(noise, SweepSettings::unfelt * most.maxCoeff());
+  Index axis = 0;
+  if ((most.array() > zero).count() != 1) return std::nullopt;
+  most.maxCoeff(&axis);
+  return axis;
+}
+
 std::string brief_table(const Sweep& sweep, std::size_t& left_out) {
   const Variation& variation = sweep.variations[0];
   std::vector<ShownValue> all;
@@ -142,16 +163,17 @@ std::string brief_table(const Sweep& sweep, std::size_t& left_out) {
   const std::vector<ShownValue> list = chosen(all);
   left_out = (sweep.points.empty() ? all.size() : sweep.points.size()) - list.size();
   const double largest = largest_force(sweep);
+  const std::optional<Index> axis = axis_of_turn(sweep);
   return fitted_table(3, [&](int digits, bool long_head) {
     Rows rows{{head_of(variation.parameter, long_head)}};
     if (sweep.asks_breaking) rows[0].push_back("break N");
-    for (const char* name : {"push N", "m/s^2", "rad/s^2"}) rows[0].push_back(name);
+    rows[0].insert(rows[0].end(), {"push N", "m/s^2", turn_head(axis)});
     for (const ShownValue& shown : list) {
       std::vector<std::string> row{value_text(variation, shown.value)};
       if (sweep.asks_breaking)
         row.push_back(brief_force_cell(*shown.at, Question::breaking, largest));
       row.push_back(brief_force_cell(*shown.at, Question::push, largest));
-      add_motion(row, shown.at->push, digits);
+      add_motion(row, shown.at->push, axis, digits);
       rows.push_back(row);
     }
     return rows;
@@ -206,16 +228,17 @@ std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& s
 
 std::string point_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
   const double zero = SweepSettings::table_rounding * largest_force(sweep);
+  const std::optional<Index> axis = axis_of_turn(sweep);
   return fitted_table(6, [&](int digits, bool long_head) {
     Rows rows{{head_of(sweep.variations[0].parameter, long_head)}};
     if (sweep.is_map()) rows[0].push_back(head_of(sweep.variations[1].parameter, long_head));
-    for (const char* name : {"break N", "push N", "m/s^2", "rad/s^2"}) rows[0].push_back(name);
+    rows[0].insert(rows[0].end(), {"break N", "push N", "m/s^2", turn_head(axis)});
     for (const SweepPoint& point : points) {
       std::vector<std::string> row{in_digits(point.value, digits)};
       if (point.second) row.push_back(in_digits(*point.second, digits));
       for (const Question question : {Question::breaking, Question::push})
         row.push_back(force_cell(point.at, question, digits, zero));
-      add_motion(row, point.at.push, digits);
+      add_motion(row, point.at.push, axis, digits);
       rows.push_back(row);
     }
     return rows;

@@ -71,11 +71,15 @@ std::string zero_line(const Sweep& sweep, const SweepZero& zero, Telling telling
       std::string(zero.component < 3 ? "along " : "about ") + "xyz"[zero.component % 3];
   const std::string what =
       (is_full ? "  twist[" + std::to_string(zero.component) + "], the object's acceleration "
-               : "  the acceleration of " + object_name(sweep.scene) + " ") +
+               : std::string(zero.component < 3 ? "  the acceleration of " : "  the turn of ") +
+                     object_name(sweep.scene) + " ") +
       axis + (is_full ? ", " : " ");
   const std::string unit =
       is_full || variation.parameter.unit.empty() ? "" : " " + variation.parameter.unit;
   const std::string at = "at " + variation.parameter.path + " = " + value(zero.to) + unit;
+  if (!is_full && zero.changes_sign())
+    return what + (zero.jumps ? "jumps" : "goes") +
+           (zero.before < 0 ? " from - to + " : " from + to - ") + at;
   if (zero.jumps) return what + "changes its sign by a jump " + at;
   if (zero.from == zero.to) return what + "is zero " + at;
   return what + "is zero from " + value(zero.from) + " to " + value(zero.to) + unit;
@@ -151,7 +155,9 @@ std::string full_text(const Sweep& sweep) {
 
 } // namespace
 
-std::string sweep_text(const std::vector<SweepCurve>& curves, Telling telling) {
+std::string sweep_text(const std::vector<SweepCurve>& given, Telling telling) {
+  std::vector<SweepCurve> curves = given;
+  for (SweepCurve& curve : curves) curve.sweep = in_typed_units(std::move(curve.sweep));
   const bool is_full = telling == Telling::full, is_one = curves.size() == 1;
   const bool is_one_scene = std::all_of(curves.begin(), curves.end(), [&](const SweepCurve& curve) {
     return curve.scene == curves.front().scene;

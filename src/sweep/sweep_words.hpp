@@ -3,6 +3,7 @@
 
 #include "sweep/sweep_events.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace lcpush::desktop {
 std::string value_text(const Variation& variation, double value);
 /// "6.52 N".
 std::string with_unit(const Variation& variation, double value);
+
+/// The one axis about which the push turns the object all along, 0 to 2; nothing if it turns about
+/// several, or not at all.
+std::optional<Index> axis_of_turn(const Sweep& sweep);
 
 /// Too near to be told apart.
 bool are_one_place(const Variation& variation, double a, double b);

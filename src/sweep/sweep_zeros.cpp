@@ -23,32 +23,59 @@ Vector6<double> thresholds(const Sweep& sweep) {
 
 int sign_of(double value, double zero) { return value > zero ? 1 : value < -zero ? -1 : 0; }
 
-/// Joined with the last one where they touch.
-void add(std::vector<SweepZero>& zeros, const SweepZero& zero) {
-  if (!zeros.empty() && zeros.back().component == zero.component && zeros.back().to == zero.from &&
-      !zeros.back().jumps && !zero.jumps)
-    zeros.back().to = zero.to;
-  else
-    zeros.push_back(zero);
-}
+/// The zeros of one component after those of others, with the signs on either side.
+class ZeroList {
+public:
+  explicit ZeroList(std::vector<SweepZero>& zeros)
+      : zeros_(zeros), first_(zeros.size()), open_(first_) {}
+
+  /// Joined with the last one where they touch.
+  void add(SweepZero zero) {
+    zero.before = sign_;
+    SweepZero* const last = zeros_.size() > first_ ? &zeros_.back() : nullptr;
+    if (last != nullptr && last->to == zero.from && !last->jumps && !zero.jumps)
+      last->to = zero.to;
+    else
+      zeros_.push_back(zero);
+  }
+  /// The next value's sign; a zero's has been added.
+  void see(int sign) {
+    if (sign == 0) return;
+    for (; open_ < zeros_.size(); ++open_) zeros_[open_].after = sign;
+    sign_ = sign;
+  }
+  /// There is no value.
+  void lose() {
+    open_ = zeros_.size();
+    sign_ = 0;
+  }
+
+private:
+  std::vector<SweepZero>& zeros_;
+  std::size_t first_, open_; ///< of this component; of those whose sign after them is to come
+  int sign_ = 0;
+};
 
 void add_of_segments(const std::vector<SweepSegment>& segments, Index k, double threshold,
-                     std::vector<SweepZero>& zeros) {
+                     ZeroList& zeros) {
   int before = 0; // the sign where the last segment ended
   for (const SweepSegment& segment : segments) {
     if (!segment.at_from.push.is_solved()) {
       before = 0;
+      zeros.lose();
       continue;
     }
     const double a = segment.at_from.push.twist[k], b = segment.at_to.push.twist[k];
     const int first = sign_of(a, threshold), last = sign_of(b, threshold);
-    if (before * first < 0) add(zeros, {k, segment.from, segment.from, true});
-    if (first == 0) add(zeros, {k, segment.from, last == 0 ? segment.to : segment.from, false});
+    if (before * first < 0) zeros.add({k, segment.from, segment.from, true});
+    if (first == 0) zeros.add({k, segment.from, last == 0 ? segment.to : segment.from, false});
+    zeros.see(first);
     if (first * last < 0) {
       const double at = segment.from + a / (a - b) * (segment.to - segment.from);
-      add(zeros, {k, at, at, false});
+      zeros.add({k, at, at, false});
     }
-    if (first != 0 && last == 0) add(zeros, {k, segment.to, segment.to, false});
+    if (first != 0 && last == 0) zeros.add({k, segment.to, segment.to, false});
+    zeros.see(last);
     before = last;
   }
 }
@@ -101,7 +128,7 @@ Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const 
 }
 
 void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<SweepPoint>& points,
-                   std::vector<SweepZero>& zeros) {
+                   ZeroList& zeros) {
   const auto sign = [&](const SweepPoint& point) {
     return point.at.push.is_solved() ? sign_of(point.at.push.twist[k], threshold) : 2;
   };
@@ -109,16 +136,20 @@ void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<S
     const int here = sign(points[i]);
     const int next = i + 1 < points.size() ? sign(points[i + 1]) : 2;
     if (here == 0) {
-      add(zeros, {k, points[i].value, next == 0 ? points[i + 1].value : points[i].value, false});
+      zeros.add({k, points[i].value, next == 0 ? points[i + 1].value : points[i].value, false});
       continue;
     }
+    if (here == 2)
+      zeros.lose();
+    else
+      zeros.see(here);
     if (here * next != -1) continue;
     if (points[i].change.jumps) {
-      add(zeros, {k, points[i].value, points[i + 1].value, true});
+      zeros.add({k, points[i].value, points[i + 1].value, true});
       continue;
     }
     const Crossing crossing = crossing_between(solver, k, threshold, points[i], points[i + 1]);
-    add(zeros, crossing.zero);
+    zeros.add(crossing.zero);
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, crossing.points.begin(),
                   crossing.points.end());
     i += crossing.points.size();
@@ -132,10 +163,11 @@ void find_zeros(SweepSolver& solver, Sweep& sweep) {
   for (Index k = 0; k < 6; ++k) {
     const double zero = threshold[k];
     if (zero < 0) continue;
+    ZeroList zeros(sweep.zeros);
     if (!sweep.segments.empty())
-      add_of_segments(sweep.segments, k, zero, sweep.zeros);
+      add_of_segments(sweep.segments, k, zero, zeros);
     else
-      add_of_points(solver, k, zero, sweep.points, sweep.zeros);
+      add_of_points(solver, k, zero, sweep.points, zeros);
   }
 }
 

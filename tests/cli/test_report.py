@@ -290,6 +290,16 @@ class Report(ToolTest):
         self.assertEqual(sorted(e.text for e in classed(kept, "label")),
                          sorted(e.text for e in classed(now, "label")))
 
+    def test_a_sweep_draws_the_force_and_the_turn_in_the_unit_that_was_typed(self):
+        words_ = ("report", SCENES / "straight_slide_point.toml", "--facets", "8", "--vary", "wall.shift[1]=-8:4 mm", "--steps", 13)
+        plot = ElementTree.fromstring(run(*words_, "--format", "svg", "--picture", "sweep1").stdout)
+        texts = [e.text for e in plot.iter(f"{SVG}text")]
+        for label in ("force, N", "acceleration about z, rad/s^2", "shift of wall along y, mm"):
+            self.assertIn(label, texts)
+        self.assertIn("At -4.9 mm: acceleration about z is zero.", plot.find(f"{SVG}desc").text)
+        page = self.page(SCENES / "straight_slide.toml", "--pressure", "rigid", "--vary", "*.grip_force=2000:30000 mN")
+        self.assertIn("At 6538.29 mN: at breaking: wall sticks", words(element(page, "sweeps")))
+
     def test_stopped_early_the_page_has_what_there_is(self):
         words_ = ["--vary", "*.friction=0.3:0.9", "--vary", "object.mass=0.1:0.3", "--steps", 9999]
         result = run("report", SCENES / "soft_fingers.toml", *words_, "--seconds", 0.5)

@@ -205,8 +205,27 @@ class Sweep(ToolTest):
         self.assertEqual((zero["to"], zero["jumps"]), (zero["from"], False))
         self.assertIn("twist[5], the object's acceleration about z, is zero at wall.shift[1] = "
                       "-0.0049001 ", flat(run(*words, "-v").stdout))
-        self.assertIn("the acceleration of the box about z is zero at wall.shift[1] = -0.0049 m\n",
-                      run(*words).stdout)
+        text = run(*words).stdout
+        self.assertIn("the turn of the box about z goes from + to - at wall.shift[1] = -0.0049 m\n", text)
+        self.assertRegex(text, r"\n  -0\.006 .* 0\.721\n  -0\.004 .* -0\.777\n")  # signed
+
+    def test_values_are_told_in_the_unit_that_was_typed(self):
+        words = (SCENES / "straight_slide_point.toml", "--facets", "8", "--steps", "13", "--vary")
+        metres, typed = (*words, "wall.shift[1]=-0.008:0.004"), (*words, "wall.shift[1]=-8:4 mm")
+        for extra in ("csv", "json"):
+            self.assertEqual(*(run(*each, "--format", extra).stdout for each in (metres, typed)))
+        text, full = run(*typed).stdout, run(*typed, "-v").stdout
+        self.assertIn("As wall.shift[1] goes from -8 to 4 mm, the force of wall that breaks the grasp changes by "
+                      "6.5 % at most: it grows from 19.6 to 20 N (at -4.9 mm)", flat(text))
+        for each in (text, full): self.assertRegex(each, r"\n  wall\.shift\[1\] mm .*\n  -8 ")
+        svg = run(*typed, "--format", "svg", "--show", "twist[5]").stdout
+        self.assertIn(">shift of wall along y, mm</text>", svg)
+        self.assertIn("At -4.9 mm: acceleration about z is zero.", svg)
+
+    def test_it_says_how_little_the_force_changes(self):
+        for course, said in (("0.3:0.5", "grows from"), ("0.3:0.303", "hardly changes: it grows from")):
+            text = flat(run(self.slide, "--vary", f"*.friction={course}").stdout)
+            self.assertIn("breaks the grasp " + said, text)
 
     def test_show_chooses_what_is_drawn(self):
         words = (self.slide, "--vary", "*.friction=0.3:0.9", "--steps", "5", "--format", "svg")

@@ -133,9 +133,12 @@ struct BistableRange {
 
 /// Where a component of the object's acceleration is zero or changes its sign.
 struct SweepZero {
-  Index component; ///< of the twist: 0 to 5
-  double from, to; ///< the same for a single value
-  bool jumps;      ///< the sign changes without a zero
+  Index component;           ///< of the twist: 0 to 5
+  double from, to;           ///< the same for a single value
+  bool jumps;                ///< the sign changes without a zero
+  int before = 0, after = 0; ///< its sign on either side, in the sweep's direction; 0: unknown
+
+  bool changes_sign() const { return (jumps || from == to) && before * after < 0; }
 };
 
 struct Sweep {
@@ -156,6 +159,10 @@ struct Sweep {
 
   bool is_map() const { return variations.size() == 2; }
 };
+
+/// With every value of what varies in the unit as typed, which texts and pictures tell; data are
+/// SI.
+Sweep in_typed_units(Sweep sweep);
 
 /// Calls see(SweepValue) for both ends of every segment and for every point, of the way there.
 template <class See> void for_each_value(const Sweep& sweep, See see) {
@@ -232,8 +239,7 @@ std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& 
 inline std::string sweep_text(const Sweep& sweep, Telling telling = Telling::full) {
   return sweep_text(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, telling);
 }
-inline std::string sweep_svg(const Sweep& sweep, const std::string& title) {
-  return sweep_svg(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, title);
-}
+/// The forces, and the turn of an object that turns about one axis.
+std::string sweep_svg(const Sweep& sweep, const std::string& title);
 
 } // namespace lcpush::desktop

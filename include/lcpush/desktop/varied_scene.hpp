@@ -39,6 +39,8 @@ struct Parameter {
   std::string typed = {};             ///< the same as digits; empty for a turn
   std::vector<std::string> ends = {}; ///< of a range, of which it is the middle, as typed
   std::string label = {};             ///< of an axis of a plot; empty: words for the path
+  std::string typed_unit = {};        ///< in which its values are told; empty: `unit`
+  double typed_size = 1;              ///< of that unit, in `unit`
   std::string owner = {}; ///< whose number: "left", "object", "*" of all bodies; or empty
 };
 
