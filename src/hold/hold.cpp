@@ -93,7 +93,8 @@ public:
   /// What its pads can hold, without asking their law.
   HoldSection section(Disturbance kind, Index along) {
     HoldSection found{kind, along, (along + 1) % 3, {}};
-    const Index steps = law_ ? hold_settings.pad_steps : hold_settings.section_steps;
+    const bool has_surfaces = law_ && law_->surfaces().points.size() > hand_.points.size();
+    const Index steps = has_surfaces ? hold_settings.pad_steps : hold_settings.section_steps;
     for (Index k = 0; k < steps; ++k) {
       Vector3<double> direction = Vector3<double>::Zero();
       direction[along] = circle_cosine<double>(k, steps);
@@ -154,6 +155,12 @@ public:
     const double slack = statics_settings.carries;
     const bool may_hold = study_.factor <= 1 + slack && study_.most >= 1 - slack;
     if (!std::isnan(study_.factor)) study_.held = may_hold;
+    if (study_.is_statics && study_.held.value_or(false)) {
+      Push push(hand_);
+      if (const HoldReport rest = push.holds_without_push(options_);
+          rest.status == Status::solved && !rest.holds)
+        study_.other = rest;
+    }
     if (study_.is_statics || !(study_.factor < no_limit)) return;
     law_.emplace(hand_, options_);
     pads_.emplace(law_->surfaces(), std::vector<bool>(law_->surfaces().points.size(), true));

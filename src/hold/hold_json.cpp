@@ -4,6 +4,7 @@
 #include "scenes/warnings_json.hpp"
 
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace lcpush::desktop {
@@ -55,7 +56,10 @@ std::string hold_json(const SceneFile& file, const HoldStudy& study, const BoxAn
     json.end_object();
   }
   json.end_object().member("added_mass", study.added_mass).member("tilt", study.tilt);
+  std::optional<Vector6<double>> other;
+  if (study.other) other = study.other->acceleration;
   json.member("law", study.is_statics ? "statics" : "pad")
+      .member("other_acceleration", other)
       .member("answer", hold_answer(file, study));
   if (box != nullptr) write_box(json, *box);
   write_warnings(json, check_scene(file));

@@ -170,6 +170,12 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
                                                   ": more drives it out"
                                             : "")});
   if (!study.held.value_or(false)) return facts;
+  if (study.other)
+    facts.push_back(
+        {"Not certain",
+         "the laws leave forces open; with others of them it accelerates "
+         "at " +
+             acceleration_text(study.other->acceleration, study.other->length, Telling::brief)});
   if (const std::string text = weakest_text(file, study); !text.empty())
     facts.push_back({"Weakest against", text});
   for (std::size_t k = 18; k < study.limits.size(); ++k) {
@@ -188,11 +194,8 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
   if (!std::isnan(study.tilt))
     facts.push_back({"Tilt", brief(study.tilt * degrees_a_radian) + " degrees of gravity, any way" +
                                  (study.is_statics ? "" : ", by statics")});
-  if (!study.is_statics) {
-    const std::string text = statics_text(study);
-    facts.push_back({"By statics", text.empty() ? "the same to one per cent"
-                                                : text + "; pressure would have to shift"});
-  }
+  if (const std::string text = statics_text(study); !text.empty())
+    facts.push_back({"By statics", text + "; pressure would have to shift"});
   return facts;
 }
 

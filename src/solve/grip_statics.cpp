@@ -35,21 +35,6 @@ GripStatics::GripStatics(const SceneFile& file, const std::vector<bool>& touchin
   if (file.pressure != Pressure::pad) return;
   pad_preload(assembled_.assembly, assembled_.work.pressure);
   for (Index i = 0; i < scene.points.size; ++i) has_pads_ = has_pads_ || compliance(i) > 0;
-  has_pads_ = has_pads_ && is_pressure_tied();
-}
-
-/// Is a normal a sum of others? Else some displacement makes any pressure, and ties nothing.
-bool GripStatics::is_pressure_tied() const {
-  std::vector<Eigen::VectorXd> axes;
-  for (Index b = 0; b < assembled_.scene.bodies.size; ++b)
-    for (const Index i : points_of(assembled_.scene.bodies[b])) {
-      Eigen::VectorXd rest = normal_of(b, i);
-      const double size = rest.norm();
-      for (const Eigen::VectorXd& axis : axes) rest -= axis.dot(rest) * axis;
-      if (!(rest.norm() > statics_settings.flat * size)) return true;
-      axes.push_back(rest.normalized());
-    }
-  return false;
 }
 
 Eigen::VectorXd GripStatics::normal_of(Index b, Index point) const {

@@ -89,7 +89,6 @@ protected:
   void bound_forces();
   double compliance(Index point) const { return assembled_.work.pressure.compliance[point]; }
   Eigen::VectorXd normal_of(Index body, Index point) const;
-  bool is_pressure_tied() const;
 };
 
 /// Normal force 1 at a point, with friction.

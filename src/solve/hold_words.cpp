@@ -1,6 +1,9 @@
 // What holds the object before it is pushed: the hand, and with which grip force.
 #include <cmath>
+#include <optional>
 
+#include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/grip_statics.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
 #include "solve/word_settings.hpp"
@@ -43,19 +46,14 @@ std::string hand_words(const SceneFile& file) {
   return file.bodies.front().role == Role::finger ? "fingers that stand still" : "none";
 }
 
-/// "9.81 m/s^2 and 2 rad/s^2", without what is zero; in three digits without what is a thousandth
-/// of the other.
-std::string acceleration_text(const Vector6<double>& a, double length, Telling telling) {
-  const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
-  const bool full = telling == Telling::full;
-  const double least = full ? word_settings.rounding : word_settings.digit;
-  std::vector<std::string> parts;
-  if (linear > least * length * angular)
-    parts.push_back((full ? number(linear) : brief(linear)) + " m/s^2");
-  if (length * angular > least * linear)
-    parts.push_back((full ? number(angular) : brief(angular)) + " rad/s^2");
-  return listed(parts, "and");
+/// Do forces exist that hold it? Laws but that of pads leave open which there are.
+bool may_be_held(const SceneFile& file) {
+  if (file.pressure == Pressure::pad) return false;
+  const std::optional<double> least = least_factor(GripStatics(file));
+  return least && *least <= 1;
 }
+
+std::string subject(bool is_open) { return is_open ? "one answer of the laws" : "the grasp"; }
 
 /// Without a full stop.
 Fact hold_words(const SceneFile& file, const HoldReport& hold) {
@@ -66,7 +64,8 @@ Fact hold_words(const SceneFile& file, const HoldReport& hold) {
     return {label, std::string("not known: without the pusher the solve ended with \"") +
                        status_text(hold.status) + "\""};
   if (hold.holds) return {label, "the grasp holds the object"};
-  return {label, "the grasp does NOT hold the object: it accelerates at " +
+  return {label, subject(may_be_held(hand_at_rest(file))) +
+                     " does NOT hold the object: it accelerates at " +
                      acceleration_text(hold.acceleration, hold.length, Telling::full)};
 }
 
@@ -91,7 +90,7 @@ std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds
 
 /// The end of the line that says whether it holds, and where the pressure law, and not statics,
 /// sets the limit.
-std::string ending(const GripReport& report, const SmallestGrip& grip, bool holds) {
+std::string ending(const GripReport& report, const SmallestGrip& grip, bool holds, bool is_open) {
   std::string text = holds ? "; it" : ".\nIt";
   switch (grip.source) {
   case GripSource::no_grip:
@@ -103,6 +102,8 @@ std::string ending(const GripReport& report, const SmallestGrip& grip, bool hold
   case GripSource::statics:
   case GripSource::search: break;
   }
+  if (!holds && is_open)
+    return ".\nOther forces that the laws allow hold it, from " + amount(report, grip.bound) + ".";
   text += (holds ? " holds " : " would hold ") + limit(report, grip, holds) + ".";
   if (grip.factor < (1 - word_settings.digit) * grip.certain)
     text += "\nBelow that some grips hold it and some do not: it holds with " +
@@ -122,6 +123,18 @@ bool same_answer(const SmallestGrip& a, const SmallestGrip& b) {
 
 } // namespace
 
+std::string acceleration_text(const Vector6<double>& a, double length, Telling telling) {
+  const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
+  const bool full = telling == Telling::full;
+  const double least = full ? word_settings.rounding : word_settings.digit;
+  std::vector<std::string> parts;
+  if (linear > least * length * angular)
+    parts.push_back((full ? number(linear) : brief(linear)) + " m/s^2");
+  if (length * angular > least * linear)
+    parts.push_back((full ? number(angular) : brief(angular)) + " rad/s^2");
+  return listed(parts, "and");
+}
+
 bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
 
 Fact hand_fact(const SceneFile& file) { return {"Hand", hand_words(file)}; }
@@ -136,25 +149,28 @@ Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& 
   if (grip.force == 0) return hold_fact(file, hold); // nothing grips
   Fact fact = hold_words(file, hold);
   const bool is_known = hold.status == Status::solved, holds = report.status == Status::solved;
-  fact.text += is_known ? ending(grip, grip.alone, hold.holds) : ".";
+  fact.text +=
+      is_known ? ending(grip, grip.alone, hold.holds, may_be_held(hand_at_rest(file))) : ".";
   if (!holds && report.status != Status::does_not_hold) return fact;
   if (is_known && hold.holds == holds && same_answer(grip.alone, grip.at_rest)) return fact;
   fact.text += std::string("\nWith the pusher in place, at rest, it ") +
-               (holds ? "holds" : "does NOT hold") + ending(grip, grip.at_rest, holds);
+               (holds ? "holds" : "does NOT hold") +
+               ending(grip, grip.at_rest, holds, may_be_held(file));
   return fact;
 }
 
 std::string does_not_hold_text(const SceneFile& file, const BreakReport& report) {
-  return "The grasp does not hold " + object_name(file) +
-         ", so no force just breaks it: with the pusher in place, at rest, " + object_name(file) +
-         " already accelerates at " +
-         acceleration_text(report.breaking.rest, report.scales.length, Telling::brief) + ".";
+  const bool is_open = may_be_held(file);
+  return (is_open ? "One answer of the laws" : "The grasp") + std::string(" does not hold ") +
+         object_name(file) + ", so no force just breaks it: with the pusher in place, at rest, " +
+         object_name(file) + " already accelerates at " +
+         acceleration_text(report.breaking.rest, report.scales.length, Telling::brief) +
+         (is_open ? ". Other forces that the laws allow hold it." : ".");
 }
 
 std::string hold_sentence(const SceneFile& file, const HoldReport& hold) {
-  const bool is_open = file.pressure == Pressure::rigid; // which leaves a patch's pressure open
-  return std::string("Without the push ") + (is_open ? "one answer of the laws" : "the grasp") +
-         " does not hold " + object_name(file) + ": it accelerates at " +
+  return "Without the push " + subject(may_be_held(hand_at_rest(file))) + " does not hold " +
+         object_name(file) + ": it accelerates at " +
          acceleration_text(hold.acceleration, hold.length, Telling::brief) + ".";
 }
 

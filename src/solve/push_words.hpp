@@ -39,6 +39,9 @@ std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& re
 std::string does_not_hold_text(const SceneFile& file, const BreakReport& report);
 /// "Without the push the grasp does not hold the object: ..". Precondition: it does not.
 std::string hold_sentence(const SceneFile& file, const HoldReport& hold);
+/// "9.81 m/s^2 and 2 rad/s^2", without what is zero; in three digits without what is a thousandth
+/// of the other. `length`: m, of the grasp.
+std::string acceleration_text(const Vector6<double>& a, double length, Telling telling);
 bool has_pusher(const SceneFile& file);
 
 /// A head and a row for each contact; in brief for each body, its forces summed.

@@ -22,7 +22,8 @@ KINDS = ("force", "moment", "acceleration")
 
 
 def finger(name, center, normal, friction=0.5, **more):
-    return table("[[finger]]", name=name, **{"shape": "point", "center": center, "normal": normal, "friction": friction, **more})
+    place = {"center": center} if center else {}
+    return table("[[finger]]", name=name, **{"shape": "point", **place, "normal": normal, "friction": friction, **more})
 
 
 def scene(*parts, gravity=(0, 0, -9.81), mass=0.2, box=(0.04, 0.04, 0.04), top=""):
@@ -165,6 +166,33 @@ class ClosedForms(unittest.TestCase):
         for kind in KINDS:
             few, many = (answer["weakest"][kind]["limit"] for answer in answers)
             self.assertAlmostEqual(many / few, 1, delta=1e-3, msg=kind)
+
+    def test_forces_that_statics_has_are_not_told_where_the_law_finds_none(self):
+        """Three points of a table and two fingers, one point each: a displacement makes any pressure, and solve falls with
+        what statics holds."""
+        def text(factor=1.0):
+            return "gravity = [0.25, -2.48, 2.84]\n[object]\nmass = 0.143\ninertia = [3.122e-05, 4.059e-05, 4.995e-05]\n" \
+                "center_of_mass = [0.0107, -0.0138, 0]\n" + finger(
+                    "table", None, [0, 0, 1], 0.35, shape="points",
+                    points=[[0.03, 0.02, -0.02], [-0.03, 0.02, -0.02], [-0.03, -0.02, -0.02]]) + finger(
+                        "f0", [-0.0295, -0.0199, 0.014], [0.59, 1.067, -0.278], 0.99, grip_force=13.9 * factor) + finger(
+                            "f1", [-0.0057, 0.0361, 0.019], [0.243, -0.816, -0.356], 0.58, grip_force=15.11 * factor)
+
+        least = hold(text())["least_grip"]
+        self.assertLess(least["statics_factor"], 0.2)
+        for factor, held in ((0.97 * least["factor"], False), (1.01 * least["factor"], True)):
+            moves = json.loads(command("solve")("-", "--json", text=text(factor)).stdout)["object"]["acceleration"]
+            self.assertEqual(all(abs(a) < 1e-6 for a in moves), held, (factor, moves))
+
+    def test_laws_that_leave_forces_open_say_so(self):
+        """A stop bears the weight, and its friction what the fingers leave; or they bear it all, and nothing stops a slide."""
+        text = scene(pinch(43, shape="disc", radius=0.009) + finger("stop", [0.02, 0, 0], [-1, 0, 0], 0.3),
+                     gravity=(5.02, 0.15, 7.5), mass=0.55, top='pressure = "even"').replace(
+                         "[object]", '[gripper]\njaws = "independent"\n[object]')
+        other = hold(text)["other_acceleration"]
+        self.assertAlmostEqual(other[1], 0.15, delta=1e-6)
+        self.assertIn("with others of them it accelerates at 0.15 m/s^2", unwrapped(run("-", text=text).stdout))
+        self.assertIsNone(hold(scene(pinch()))["other_acceleration"])
 
     def test_a_part_on_a_table_under_a_palm(self):
         palm = finger("palm", [0, 0, 0.02], [0, 0, -1], 0.3, grip_force=10)
@@ -331,7 +359,7 @@ class Words(ToolTest):
     def test_json_has_every_promised_key(self):
         answer = hold(scene(pinch()))
         self.assertEqual(set(answer), {"held", "least_grip", "margin", "disturbances", "weakest", "added_mass", "tilt",
-                                       "law", "answer", "warnings"})
+                                       "law", "other_acceleration", "answer", "warnings"})
         self.assertEqual(set(answer["least_grip"]), {"force", "factor", "statics_factor", "most_factor", "of"})
         self.assertEqual(set(answer["weakest"]), set(KINDS))
         keys = {"direction", "limit", "statics_limit", "unlimited", "lower", "upper", "first"}

@@ -67,11 +67,13 @@ struct HoldLimit {
 };
 
 struct HoldStudy {
-  std::optional<bool> held;       ///< by the scene's law
-  std::string reason;             ///< of what is not known, a sentence
-  GripReport grip;                ///< whose force factors are of
-  double factor = unknown_number; ///< least, on all grip forces; no_limit: no grip holds
-  double most = no_limit;         ///< no larger one holds; nan: not known
+  std::optional<bool> held;        ///< by the scene's law
+  std::string reason;              ///< of what is not known, a sentence
+  std::optional<HoldReport> other; ///< held, but an answer of the laws, which leave forces open,
+                                   ///< does not hold it
+  GripReport grip;                 ///< whose force factors are of
+  double factor = unknown_number;  ///< least, on all grip forces; no_limit: no grip holds
+  double most = no_limit;          ///< no larger one holds; nan: not known
   double statics_factor = unknown_number, statics_most = no_limit; ///< the same of statics
   GiveWay falls;                                ///< if it does, or at its least grip
   bool is_statics = true;                       ///< the scene's law holds whatever statics can
