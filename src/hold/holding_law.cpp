@@ -65,10 +65,18 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   if (!asks || !(limit > 0)) return limit;
   // Points bear less than surfaces of all the load, as if the grip were less.
   const double slack = pads_.slack(), most = (1 - slack) * limit;
-  if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) return limit;
-  const double found =
-      searched(std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm(), -1,
-               [&](double load) { return load <= 0 || holds(1, load * wrench).value_or(false); });
+  const auto is_held = [&](double load) {
+    return load <= 0 || holds(1, load * wrench).value_or(false);
+  };
+  if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) {
+    // Which points touch was improved from corner to corner: the law may know better ones.
+    const double more = (1 + hold_settings.of_points) * limit;
+    return more < bound && std::isfinite(bound) && is_held(more)
+               ? std::fmax(more, searched(bound, -1, is_held))
+               : limit;
+  }
+  const double found = searched(
+      std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm(), -1, is_held);
   return found >= most ? limit : found;
 }
 

@@ -194,6 +194,13 @@ class ClosedForms(unittest.TestCase):
         self.assertIn("with others of them it accelerates at 0.15 m/s^2", unwrapped(run("-", text=text).stdout))
         self.assertIsNone(hold(scene(pinch()))["other_acceleration"])
 
+    def test_sides_that_are_alike_bear_alike(self):
+        for name, axes in (("rolling_hard_grip", ((1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1))),
+                           ("planar_pusher", ((1, 0, 0), (-1, 0, 0)))):
+            answer = json.loads(run(SCENES / f"{name}.toml", "--json").stdout)
+            most = [limit(answer, "moment", *axis) for axis in axes]
+            self.assertLess(max(most) / min(most), 1.01, (name, most))
+
     def test_a_part_on_a_table_under_a_palm(self):
         palm = finger("palm", [0, 0, 0.02], [0, 0, -1], 0.3, grip_force=10)
         side = 0.5 * (10 + WEIGHT) + 0.3 * 10
