@@ -7,7 +7,6 @@
 
 #include "hold/settings.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
-#include "solve/rest_verdict.hpp"
 
 namespace lcpush::desktop {
 
@@ -29,18 +28,14 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
   SceneFile there = with_grip(hand_, factor);
   there.object.wrench += more;
   Push push(there);
-  Vector6<double> motion;
-  if (push.solve_at_rest(options(), motion) != Status::solved) return std::nullopt;
-  const Scales<double>& scales = push.layout().scales;
-  const Rest rest =
-      decide_rest(there, {motion, scales, rest_noise(there, scales, work_.options().solver)});
-  if (rest == Rest::not_known) return std::nullopt;
-  if (std::exchange(is_first_, false) && rest == Rest::holds) {
+  const HoldReport rest = push.holds_without_push(options());
+  if (rest.status != Status::solved) return std::nullopt;
+  if (std::exchange(is_first_, false) && rest.holds) {
     std::size_t i = 0;
     for (const ContactAnswer<double>& contact : push.last_answer().contacts)
       touching_[i++] = contact.normal_force > 0;
   }
-  return rest == Rest::holds;
+  return rest.holds;
 }
 
 double HoldingLaw::least_grip(double bound) {
@@ -53,7 +48,9 @@ double HoldingLaw::least_grip(double bound) {
   if (least <= statics_settings.closed && (is_proved || is_held(0, false))) return 0;
   const double refuted = holds_now_ == false ? std::max(least, 1.0) : least;
   if (refuted == least && is_held(least * (1 + pads_.slack()), is_proved)) return least;
-  const double found = searched(refuted, 1, [&](double factor) { return is_held(factor, false); });
+  const auto is_found = [&](double factor) { return is_held(factor, false); };
+  const double found =
+      holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, is_found);
   return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
 }
 
@@ -71,37 +68,41 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) {
     // Which points touch was improved from corner to corner: the law may know better ones.
     const double more = (1 + hold_settings.of_points) * limit;
-    return more < bound && std::isfinite(bound) && is_held(more)
-               ? std::fmax(more, searched(bound, -1, is_held))
-               : limit;
+    return more < bound && std::isfinite(bound) && is_held(more) ? halved(bound, more, is_held)
+                                                                 : limit;
   }
-  const double found = searched(
-      std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm(), -1, is_held);
+  const double refuted = std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm();
+  const double found = halved(refuted, 0, is_held);
   return found >= most ? limit : found;
 }
 
-/// From what does not hold upwards or downwards: the nearest that is found to hold. What lies
-/// beyond is taken to be held: the law promises no convex set. A search that ends before that is
-/// known to what points leave open has found nothing.
-double HoldingLaw::searched(double refuted, double sign,
-                            const std::function<bool(double)>& is_held) const {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+/// Upwards from what does not hold: the least that is found to hold. What lies beyond is taken to
+/// be held: the law promises no convex set.
+double HoldingLaw::searched(double refuted, const Question& is_held) const {
   const double unit = std::max(refuted, hold_settings.least_unit);
-  double step = hold_settings.first_step * unit, held = std::max(0.0, refuted + sign * step);
+  double step = hold_settings.first_step * unit, held = refuted + step;
   while (!is_held(held)) {
-    if (work_.is_used_up() || held > statics_settings.most_force * unit) return nothing;
+    if (work_.is_used_up() || held > statics_settings.most_force * unit)
+      return std::numeric_limits<double>::quiet_NaN();
     refuted = held;
     step *= 2;
-    held = std::max(0.0, refuted + sign * step);
+    held += step;
   }
+  return halved(refuted, held, is_held);
+}
+
+/// The end of what holds, between what does not and what does. A search that ends before that is
+/// known to what points leave open has found nothing.
+double HoldingLaw::halved(double refuted, double held, const Question& is_held) const {
+  const double least = hold_settings.least_unit * std::max(refuted, hold_settings.least_unit);
   const auto is_open = [&](double precision) {
-    return std::abs(held - refuted) > precision * std::max(held, hold_settings.least_unit * unit);
+    return std::abs(held - refuted) > precision * std::max(held, least);
   };
   while (is_open(hold_settings.law) && !work_.is_used_up()) {
     const double middle = (held + refuted) / 2;
     (is_held(middle) ? held : refuted) = middle;
   }
-  return is_open(hold_settings.of_points) ? nothing : held;
+  return is_open(hold_settings.of_points) ? std::numeric_limits<double>::quiet_NaN() : held;
 }
 
 } // namespace lcpush::desktop

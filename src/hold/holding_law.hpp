@@ -42,7 +42,9 @@ private:
 
   PushOptions options() const;
 
-  double searched(double refuted, double sign, const std::function<bool(double)>& is_held) const;
+  using Question = std::function<bool(double)>;
+  double searched(double refuted, const Question& is_held) const;
+  double halved(double refuted, double held, const Question& is_held) const;
 };
 
 } // namespace lcpush::desktop
