@@ -241,6 +241,12 @@ void Arguments::inspect(const SceneFile& file) const {
         std::remove_if(doubts.begin(), doubts.end(),
                        [](const SceneDoubt& doubt) { return doubt.doubt == Doubt::middle; }),
         doubts.end());
+  doubt(doubts);
+  const std::string refusal = asks_box ? "" : uncertified_law(file); // of a box its own proof
+  if (has("certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
+}
+
+void Arguments::doubt(const std::vector<SceneDoubt>& doubts) const {
   std::vector<std::string> sentences;
   for (const SceneDoubt& doubt : doubts) sentences.push_back(doubt_text(doubt));
   if (has("strict") && !doubts.empty()) throw InputError(joined(sentences, "\n"));
@@ -248,8 +254,6 @@ void Arguments::inspect(const SceneFile& file) const {
     if (text("format") != "json" &&
         std::find(doubts_.begin(), doubts_.end(), sentence) == doubts_.end())
       doubts_.push_back(std::move(sentence));
-  const std::string refusal = asks_box ? "" : uncertified_law(file); // of a box its own proof
-  if (has("certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
 }
 
 std::vector<Variation> Arguments::variations(const VariedScene& scene) const {

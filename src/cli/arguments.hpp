@@ -67,6 +67,7 @@ public:
   Document contacts() const override;
   std::vector<double> z(const RawProblem& problem) const override;
   void inspect(const SceneFile& file) const override;
+  void doubt(const std::vector<SceneDoubt>& doubts) const override;
 
 private:
   std::string command_line_;

@@ -33,9 +33,9 @@ VariedScene with_push(const Values& values, const VariedScene& scene) {
   const double own[] = {(*push)[0] + turn * arm.y(), (*push)[1] - turn * arm.x(), 0, 0, 0, turn};
   VariedScene pushed = scene;
   for (int i = 0; i < 6; ++i)
-    pushed = pushed.with(pushed.find(name + (i < 3 ? "." : ".angular_") + motion + "[" +
-                                     std::to_string(i % 3) + "]"),
-                         own[i]);
+    pushed = pushed.with({pushed.find(name + (i < 3 ? "." : ".angular_") + motion + "[" +
+                                      std::to_string(i % 3) + "]")},
+                         {own[i]});
   const Vector6<double> made = pushed.as_given().body(pusher).acceleration;
   if (!(std::abs(made[0] - (*push)[0]) + std::abs(made[1] - (*push)[1]) <=
         same_motion * (std::abs(made[0]) + std::abs(made[1]) + std::abs(turn))))

@@ -49,7 +49,7 @@ std::vector<SweepCurve> read_curves(const Values& values, Listener& listener,
     if (const auto each = values.each(scene)) {
       for (const Variation& value : *each) {
         curves.push_back(curve_at(value, title, mine));
-        scenes.push_back(scene.with(value.parameter, value.from));
+        scenes.push_back(scene.with({value.parameter}, {value.from}));
       }
     } else {
       curves.push_back({mine, title, std::nullopt, {}});
@@ -58,6 +58,8 @@ std::vector<SweepCurve> read_curves(const Values& values, Listener& listener,
   }
   for (std::size_t k = 0; k < curves.size(); ++k)
     curves[k].sweep.variations = values.variations(scenes[k]);
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    values.doubt(doubts_at_ends(scenes[k], curves[k].sweep));
   if (values.variation_count() > 0) take_pyramids(scenes, curves, listener);
   refuse_overwritten(curves);
   return curves;
@@ -155,7 +157,9 @@ Result run_sweep(const Values& values, Listener& listener) {
   std::vector<SceneDoubt> doubts;
   const std::size_t curves_a_scene = scenes.size() / values.scene_count();
   for (std::size_t k = 0; k < scenes.size() && format == "json"; k += curves_a_scene)
-    for (SceneDoubt& doubt : check_scene(scenes[k].as_given())) doubts.push_back(std::move(doubt));
+    for (const auto& found :
+         {check_scene(scenes[k].as_given()), doubts_at_ends(scenes[k], curves[k].sweep)})
+      doubts.insert(doubts.end(), found.begin(), found.end());
   return {is_complete,
           format == "json"  ? sweep_json(curves, doubts)
           : format == "csv" ? sweep_csv(curves)

@@ -133,6 +133,7 @@ public:
   SceneFile scene(Needs needs, Strokes strokes = Strokes::first) const;
   /// Of every scene that is read: what is odd about it is said, and refused with --strict.
   virtual void inspect(const SceneFile&) const {}
+  virtual void doubt(const std::vector<SceneDoubt>&) const {}
   /// For a question that knows pyramids alone; the listener hears what stands for a round cone.
   void take_pyramids(SceneFile& file, Listener& listener) const;
   /// With the laws of --pressure and --facets, if they are given.

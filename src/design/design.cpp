@@ -63,6 +63,7 @@ public:
   void draw(const Values& values, std::size_t j, DesignReport::Choice& into) {
     open_.assign(linear_.size(), false);
     open_[j] = linear_[j];
+    open_[j] = open_[j] && possible_model_at(values) != nullptr; // else place by place
     Values at = values;
     const auto look = [&](double value) {
       at[j] = value;
@@ -298,8 +299,10 @@ private:
     }
   }
 
-  /// What makes no difference stays as it is, or goes to an end.
+  /// What makes no difference stays as it is, or goes to an end. Each place has a model of its own:
+  /// what holds there need not hold over a whole range.
   void settle(const std::vector<bool>& chosen) {
+    open_.assign(chosen.size(), false);
     for (std::size_t k = 0; k < 2 * chosen.size() && best_.margin > 0; ++k) {
       const std::size_t j = k % chosen.size(); // twice: one may wait for another
       for (const double end : {choice(j).given, choice(j).from, choice(j).to}) {

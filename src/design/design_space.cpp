@@ -147,11 +147,18 @@ VariedScene DesignSpace::scene_at(const Values& values) const {
     const Choice& choice = choices_[j];
     if (values[j] == choice.given) continue;
     // A pattern at once: jaws have one grip force.
-    if (choice.slopes.empty()) scene = scene.with(scene.find(choice.path), values[j]);
-    for (std::size_t i = 0; i < choice.slopes.size(); ++i) {
-      const Parameter now = scene.find(choice.parameters[i].path);
-      scene = scene.with(now, now.value + choice.slopes[i] * (values[j] - choice.given));
+    if (choice.slopes.empty()) {
+      scene = scene.with({scene.find(choice.path)}, {values[j]});
+      continue;
     }
+    // Both ends of a line at once: one alone may come to lie on the other.
+    std::vector<Parameter> ends;
+    Values places;
+    for (std::size_t i = 0; i < choice.slopes.size(); ++i) {
+      ends.push_back(scene.find(choice.parameters[i].path));
+      places.push_back(ends.back().value + choice.slopes[i] * (values[j] - choice.given));
+    }
+    scene = scene.with(ends, places);
   }
   return scene;
 }

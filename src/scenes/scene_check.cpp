@@ -16,6 +16,8 @@ namespace {
 // A contact lies no deeper than this part of the object's thinnest edge: beyond, another face would
 // be as near.
 constexpr double depth_slack = 0.15;
+// Around another middle than the file's they lie on the object to this part of its longest edge.
+constexpr double middle_slack = 0.01;
 // Beyond so many sizes, a place is a slip of the unit or of a digit.
 constexpr double far_sizes = 3;
 // The cosine between a normal and the face that it should point into. Less, and it lies along it.
@@ -84,8 +86,8 @@ private:
     return file_.positions[static_cast<std::size_t>(point)];
   }
 
-  bool is_on_surface(const SurfacePoint& surface) const {
-    return surface.distance <= surface_slack * size_ &&
+  bool is_on_surface(const SurfacePoint& surface, double slack = surface_slack) const {
+    return surface.distance <= slack * size_ &&
            surface.distance >= -depth_slack * file_.shape.size.minCoeff();
   }
 
@@ -96,14 +98,14 @@ private:
   }
 
   /// With the object around `middle`: does every contact lie on it and point into it?
-  bool fits_around(const Vector3<double>& middle) const {
+  bool fits_around(const Vector3<double>& middle, double slack) const {
     SceneFile moved = file_;
     moved.object.center_of_mass = middle;
     return std::all_of(file_.bodies.begin(), file_.bodies.end(), [&](const Body<double>& body) {
       const Indices points = points_of(body);
       return std::all_of(points.begin(), points.end(), [&](Index i) {
         const SurfacePoint surface = nearest_on_surface(moved, position(i), surface_slack * size_);
-        return is_on_surface(surface) && points_into(body, surface);
+        return is_on_surface(surface, slack) && points_into(body, surface);
       });
     });
   }
@@ -111,12 +113,12 @@ private:
   /// Do the contacts fit the object around another middle than the file's: the scene's origin, or
   /// where the origin is a corner, an edge or a face of it?
   bool check_middle() {
-    if (fits_around(file_.object.center_of_mass)) return false;
+    if (fits_around(file_.object.center_of_mass, surface_slack)) return false;
     for (int side = 0; side < 27; ++side) {
       const Vector3<double> sides(side % 3, side / 3 % 3, side / 9); // 0, 0, 0: the origin itself
       const Vector3<double> middle = sides.unaryExpr([](double s) { return s > 1 ? -0.5 : s / 2; })
                                          .cwiseProduct(file_.shape.size);
-      if (!fits_around(middle)) continue;
+      if (!fits_around(middle, middle_slack)) continue;
       doubt(Doubt::center_of_mass, file_.lines.center_of_mass,
             "object: the contacts lie on " + shape_name(file_) + " around " + typed(middle) +
                 ", but its middle, the centre of mass, is at " +

@@ -352,9 +352,10 @@ VariedScene VariedScene::with_only_pusher(const std::string& name) const {
   return with_document(std::move(document));
 }
 
-VariedScene VariedScene::with(const Parameter& parameter, double value) const {
-  VariedScene scene = with_document(changed(*document_, {parameter}, {value}));
-  (void)built(*scene.document_, hand_, {parameter}, {value});
+VariedScene VariedScene::with(const std::vector<Parameter>& parameters,
+                              const std::vector<double>& values) const {
+  VariedScene scene = with_document(changed(*document_, parameters, values));
+  (void)built(*scene.document_, hand_, parameters, values);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/parameter_words.hpp"
+#include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
@@ -46,6 +47,26 @@ SweepCurve curve_at(const Variation& each, const std::string& scene, const std::
   const std::string label = parameter.path + " = " + shown(each.from) +
                             (parameter.unit.empty() ? "" : " " + parameter.unit);
   return {mine.empty() ? label : mine + ", " + label, scene, each, {}};
+}
+
+std::vector<SceneDoubt> doubts_at_ends(const VariedScene& scene, const Sweep& sweep) {
+  const auto is_of_place = [](const SceneDoubt& found) {
+    return found.doubt == Doubt::overhang || found.doubt == Doubt::outside_object ||
+           found.doubt == Doubt::far_from_object;
+  };
+  std::vector<SceneDoubt> list;
+  const std::vector<SceneDoubt> given = check_scene(scene.as_given());
+  if (std::any_of(given.begin(), given.end(), is_of_place)) return list;
+  const Sweep typed = in_typed_units(sweep);
+  for (std::size_t k = 0; k < typed.variations.size(); ++k)
+    for (double Variation::*const end : {&Variation::from, &Variation::to})
+      for (SceneDoubt found :
+           check_scene(scene.at({sweep.variations[k].parameter}, {sweep.variations[k].*end}))) {
+        found.text = "at " + typed.variations[k].parameter.path + " = " +
+                     with_unit(typed.variations[k], typed.variations[k].*end) + ", " + found.text;
+        if (is_of_place(found)) list.push_back(std::move(found));
+      }
+  return list;
 }
 
 std::string sweep_title(const std::vector<SweepCurve>& curves) {

@@ -77,7 +77,7 @@ std::string course_text(const Sweep& sweep, const ForceCurve& curve) {
   };
   const std::string from = digits(curve.front().second), to = digits(curve.back().second);
   const std::string low = digits(lowest->second), high = digits(most->second);
-  if (most->second - lowest->second <= noise) return "stays at " + from + " N";
+  if (most->second - lowest->second <= noise || low == high) return "stays at " + from + " N";
   if (never_falls(curve.begin(), curve.end(), noise, 1))
     return "grows from " + from + " to " + to + " N";
   if (never_falls(curve.begin(), curve.end(), noise, -1))

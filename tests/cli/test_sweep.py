@@ -222,6 +222,15 @@ class Sweep(ToolTest):
         self.assertIn(">shift of wall along y, mm</text>", svg)
         self.assertIn("At -4.9 mm: acceleration about z is zero.", svg)
 
+    def test_a_contact_that_leaves_the_object_on_the_way_is_told(self):
+        for end, said in ("6 mm", "it reaches 6 mm beyond the box"), ("60 mm", "lies 60 mm outside of the box"), ("1 mm", ""):
+            words = (self.slide, "--vary", f"wall.shift[1]=0:{end}", "--steps", 2, "--facets", 4)
+            checks = flat(run(*words).stderr)
+            self.assertEqual("Check: " in checks, said != "", checks)
+            self.assertIn(said and f"at wall.shift[1] = {end}, pusher \"wall\": ", checks)
+            self.assertIn(said, checks)
+            self.assertEqual(len(self.answer(*words)["warnings"]), 1 if said else 0)
+
     def test_it_says_how_little_the_force_changes(self):
         for course, said in (("0.3:0.5", "grows from"), ("0.3:0.303", "hardly changes: it grows from")):
             text = flat(run(self.slide, "--vary", f"*.friction={course}").stdout)

@@ -185,6 +185,18 @@ TEST_CASE("a slip of the hand is named, with its line and what to do") {
   CHECK(millimetres.size() == 4); // and no contact is on its surface
 }
 
+TEST_CASE("a pusher that was moved along its face is no slip of the object's middle") {
+  // A long bar, so that what presses beside its narrow face is not far off, of its length.
+  const std::string bar =
+      with(with(slide(), "box = [0.1, 0.03, 0.01]", "box = [0.12, 0.022, 0.01]"),
+           "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]",
+           "ends = [[-0.06, -0.003, 0], [-0.06, 0.019, 0]]");
+  const std::vector<SceneDoubt> doubts = check_scene(parsed(bar));
+  REQUIRE(doubts.size() == 1);
+  CHECK(doubts[0].doubt == Doubt::overhang);
+  CHECK(doubts[0].text.find("it reaches 8 mm beyond the box") != std::string::npos);
+}
+
 TEST_CASE("a finger that nothing meets, and a table that ends where the object does") {
   const std::string object = "gravity = [0, -9.81, 0]\n[object]\nmass = 0.06\n"
                              "box = [0.12, 0.022, 0.014]\n";

@@ -147,11 +147,11 @@ TEST_CASE("tangent_turn turns the first generator about the normal") {
 }
 
 TEST_CASE("with() changes a number for good") {
-  const VariedScene rough = varied_slide().with(varied_slide().find("*.friction"), 0.9);
+  const VariedScene rough = varied_slide().with({varied_slide().find("*.friction")}, {0.9});
   CHECK(rough.find("left.friction").value == 0.9);
   CHECK(rough.at({rough.find("left.friction")}, {0.1}).bodies[1].friction == 0.9);
   CHECK(varied_slide().as_given().bodies[0].friction == 0.5);
-  CHECK_THROWS_AS((void)varied_slide().with(varied_slide().find("*.friction"), -1), InputError);
+  CHECK_THROWS_AS((void)varied_slide().with({varied_slide().find("*.friction")}, {-1}), InputError);
 }
 
 TEST_CASE("an unknown path is refused with what is possible, and with the nearest") {

@@ -202,6 +202,8 @@ struct SweepCurve {
 SweepCurve curve_at(const Variation& each, const std::string& scene, const std::string& mine = "");
 /// Throws InputError if one of a curve's numbers is overwritten by the next, as when both are one.
 void refuse_overwritten(const std::vector<SweepCurve>& curves);
+/// Which contacts are beside the object at an end of a range, though not in the scene as given.
+std::vector<SceneDoubt> doubts_at_ends(const VariedScene& scene, const Sweep& sweep);
 /// For a picture of all of them.
 std::string sweep_title(const std::vector<SweepCurve>& curves);
 /// That so many samples do not fit into memory; empty if they do.

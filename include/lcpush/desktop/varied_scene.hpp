@@ -88,8 +88,9 @@ public:
   /// The same scene with these numbers in ranges. Throws InputError if that is no scene.
   VariedScene with_ranges(const std::vector<Parameter>& parameters,
                           const std::vector<std::pair<Rational, Rational>>& ends) const;
-  /// The same scene with one number changed for good. Throws InputError if that is no scene.
-  VariedScene with(const Parameter& parameter, double value) const;
+  /// The same scene with these numbers changed for good. Throws InputError if that is no scene.
+  VariedScene with(const std::vector<Parameter>& parameters,
+                   const std::vector<double>& values) const;
   /// The same scene without its other pushers. Before find(), whose parameters are places in it.
   VariedScene with_only_pusher(const std::string& name) const;
 
