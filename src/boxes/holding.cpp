@@ -92,7 +92,7 @@ private:
     const Index moves = statics.displacement().cols();
     Eigen::MatrixXd D = Eigen::MatrixXd::Zero(statics.rows(), moves + 1);
     if (moves > 0) D.leftCols(moves) = statics.displacement();
-    StaticsProgram program(statics, D, moves, statics.demand(1));
+    StaticsProgram program(statics, D, moves, statics.load(1));
     return program.find_point() == StaticsProgram::Ending::found;
   }
 

@@ -36,7 +36,7 @@ public:
   /// Which grips hold?
   void find_grip() {
     const Eigen::VectorXd& grip = statics_.grip_column();
-    StaticsProgram program(statics_, grip, 0, statics_.demand(0));
+    StaticsProgram program(statics_, grip, 0, statics_.load(0));
     const Ending ending = program.find_point();
     if (ending == Ending::none) {
       study_.statics_factor = no_limit;
@@ -76,7 +76,7 @@ public:
     // The rays that hold the load may be a corner of many, at which a program goes astray.
     for (const std::vector<ForceRay>& known : {rays_, std::vector<ForceRay>()})
       if (most.ending == Ending::failed)
-        most = most_of(program.emplace(statics_, column, 1, statics_.demand(1), known));
+        most = most_of(program.emplace(statics_, column, 1, statics_.load(1), known));
     if (most.ending == Ending::failed) return found;
     const double si = statics_.scales().force / unit;
     const auto told = [&](double t) { return t > statics_settings.closed ? t * si : 0; };

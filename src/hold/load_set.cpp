@@ -21,7 +21,7 @@ LoadSet::LoadSet(const GripStatics& statics, const Eigen::MatrixXd& columns,
   Eigen::MatrixXd D = Eigen::MatrixXd::Zero(rows + sides, moves_ + count + sides);
   if (moves_ > 0) D.topLeftCorner(rows, moves_) = statics.displacement();
   Eigen::VectorXd b(rows + sides);
-  b.head(rows) = statics.demand(1);
+  b.head(rows) = statics.load(1);
   for (Index k = 0; k < count; ++k) {
     D.col(moves_ + k).head(rows) = columns.col(axes_[static_cast<std::size_t>(k)]);
     for (Index side = 0; size && side < 2; ++side) {

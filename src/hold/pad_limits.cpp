@@ -22,7 +22,7 @@ double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<b
   const double unit = question.of_grip ? 1 : column.cwiseAbs().maxCoeff();
   Eigen::MatrixXd D(statics.rows(), moves + 1 + gaps.cols());
   D << statics.displacement(), column / unit, gaps;
-  StaticsProgram program(statics, D, moves, statics.demand(question.of_grip ? 0 : 1));
+  StaticsProgram program(statics, D, moves, statics.load(question.of_grip ? 0 : 1));
   const bool is_found = program.find_point() == StaticsProgram::Ending::found;
   work += program.work();
   if (!is_found) return nothing;

@@ -230,7 +230,7 @@ StaticsProgram::Ending StaticsProgram::find_point() {
   return restart() ? Ending::found : approach();
 }
 
-/// No forces of the known rays carry the demand: by those of the cones, as much of it as they can.
+/// No forces of the known rays carry the load: by those of the cones, as much of it as they can.
 StaticsProgram::Ending StaticsProgram::approach() {
   Eigen::MatrixXd with_rest(b_.size(), D_.cols() + 1);
   with_rest << D_, b_;
@@ -327,7 +327,7 @@ std::vector<StaticsProgram::Contact> StaticsProgram::contacts() const {
 }
 
 std::optional<double> least_factor(const GripStatics& statics) {
-  StaticsProgram program(statics, statics.grip_column(), 0, statics.demand(0));
+  StaticsProgram program(statics, statics.grip_column(), 0, statics.load(0));
   using Ending = StaticsProgram::Ending;
   const Ending ending = program.find_point();
   if (ending == Ending::none) return std::numeric_limits<double>::infinity();

@@ -54,7 +54,7 @@ public:
   bool is_capped() const { return is_capped_; }
 
   /// b: what the contacts' forces have to be, at `factor` times the grip.
-  Eigen::VectorXd demand(double factor) const { return fixed_ - factor * grip_column_; }
+  Eigen::VectorXd load(double factor) const { return fixed_ - factor * grip_column_; }
   /// The factor that makes the largest grip force equal to the load; 0: there is no grip.
   double unit() const {
     const double grip = grip_column_.head(sum_row_).cwiseAbs().maxCoeff();

@@ -36,9 +36,9 @@ std::string direction_text(const Vector3<double>& direction) {
 std::string friction_law_text(const SceneFile& file) {
   if (file.is_round) return "round friction";
   if (file.has_cones()) return std::to_string(file.facets) + " facets";
-  const bool rubs = std::any_of(file.bodies.begin(), file.bodies.end(),
-                                [](const Body<double>& body) { return body.friction > 0; });
-  return rubs ? "friction along the plane" : "no friction";
+  const bool has_friction = std::any_of(file.bodies.begin(), file.bodies.end(),
+                                        [](const Body<double>& body) { return body.friction > 0; });
+  return has_friction ? "friction along the plane" : "no friction";
 }
 
 std::string generator_text(const Generator<double>& generator, double torsion_radius) {

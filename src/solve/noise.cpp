@@ -60,8 +60,8 @@ void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& 
       std::max(report.noise.acceleration, word_settings.table * fastest_contact(answer));
 }
 
-void let_rest(const SceneFile& file, const Scales<double>& scales, const Noise& noise,
-              Answer<double>& answer) {
+void clear_noise(const SceneFile& file, const Scales<double>& scales, const Noise& noise,
+                 Answer<double>& answer) {
   const Scene<double> scene = file.view();
   if (size_of_twist(answer.acceleration, scales.length) <= noise.acceleration)
     answer.acceleration.setZero();

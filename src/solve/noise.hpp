@@ -19,8 +19,8 @@ void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& 
 
 /// What moves no faster than noise stands still. A contact whose point does sticks: without a force
 /// it neither slips nor opens.
-void let_rest(const SceneFile& file, const Scales<double>& scales, const Noise& noise,
-              Answer<double>& answer);
+void clear_noise(const SceneFile& file, const Scales<double>& scales, const Noise& noise,
+                 Answer<double>& answer);
 
 /// The actuator whose force is no more than what rounding leaves of F, or -1.
 Index lost_actuator(const SceneFile& file, const Scales<double>& scales);

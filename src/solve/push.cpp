@@ -277,7 +277,7 @@ Status Push::with_friction(RunReport& report, const std::function<Status()>& run
 }
 
 /// Why an answer that the solver found fails the laws' check.
-std::string Push::untold(const PushReport& report) const {
+std::string Push::why_refused(const PushReport& report) const {
   const double passes = Tolerances<double>().residual;
   Violation<double> worst;
   bool beside = true;
@@ -325,7 +325,7 @@ PushReport Push::solve(const PushOptions& options) & {
   const double push = push_size(scene_);
   name_file_bodies();
   find_noise(file_, report.answer, report);
-  let_rest(file_, report.scales, report.noise, report.answer);
+  clear_noise(file_, report.scales, report.noise, report.answer);
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   report.noise.acceleration / word_settings.rounding, push);
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
@@ -334,7 +334,7 @@ PushReport Push::solve(const PushOptions& options) & {
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual) ||
       lost_actuator(file_, report.scales) >= 0) {
-    refuse(report, untold(report));
+    refuse(report, why_refused(report));
     report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
     report.final_basis = {};
     report.sensitivity.clear();

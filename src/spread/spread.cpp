@@ -105,8 +105,9 @@ private:
   std::unordered_set<std::uint64_t> known_, studied_, proposed_; // by key_of
   std::deque<FaceModes> waiting_;
   double most_work_ = 0, part_of_time_ = 1;
-  double walked_ = 0;           // work of finding faces next to others
-  double begun_ = 0, told_ = 0; // of the progress: where this stage began, and what was said last
+  double walked_ = 0; // work of finding faces next to others
+  double begun_ = 0,
+         reported_ = 0; // of the progress: where this stage began, and what was said last
 
   double work() const { return study_->work() + walked_; }
   Index first_pusher() const { return report_.pushers.empty() ? 0 : report_.pushers.front().body; }
@@ -224,7 +225,7 @@ private:
   void allow(double more, double part) {
     most_work_ = options_.by_time ? std::numeric_limits<double>::infinity() : work() + more;
     part_of_time_ = options_.by_time ? part : 1;
-    begun_ = told_;
+    begun_ = reported_;
   }
 
   /// By the clock or by the user, whatever work is left.
@@ -238,8 +239,8 @@ private:
 
   /// `share` of this stage, which is the rest, or of enumeration half of it.
   void tell(double share, double part = 1) {
-    told_ = std::max(told_, begun_ + part * (1 - begun_) * std::min(share, 1.0));
-    if (options_.progress) options_.progress(told_);
+    reported_ = std::max(reported_, begun_ + part * (1 - begun_) * std::min(share, 1.0));
+    if (options_.progress) options_.progress(reported_);
   }
 
   void enumerate() {

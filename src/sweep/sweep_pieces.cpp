@@ -114,7 +114,7 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
   // Friction that turns is worth a word only where nothing else happens.
   if (change.contacts.empty() && holds(change.from) == holds(change.to))
     note_where([](const ContactState& was, const ContactState& is) {
-      return is.mode == Mode::slide && was.rubs != is.rubs;
+      return is.mode == Mode::slide && was.with_friction != is.with_friction;
     });
   return change;
 }

@@ -55,7 +55,7 @@ DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
       state.mode = Mode::stick; // rests there without a force
     if (state.mode == Mode::slide && slip.norm() > 0) state.slip = slip.normalized();
     for (Index j = 0; j < p.assembly.layout().cones[i].generators; ++j, ++entry)
-      if (solved.friction[entry] > pressed) state.rubs.push_back(j);
+      if (solved.friction[entry] > pressed) state.with_friction.push_back(j);
     answer.contacts.push_back(state);
   }
   return answer;

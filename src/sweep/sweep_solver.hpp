@@ -19,7 +19,7 @@ struct ContactState {
   Mode mode = Mode::stick;
   bool pressed = false;
   Vector3<double> slip = Vector3<double>::Zero(); ///< direction of sliding, unit
-  std::vector<Index> rubs;                        ///< generators that carry friction
+  std::vector<Index> with_friction;               ///< generators that carry friction
 };
 
 /// An answer while it is worked with: a breaking force at which the object does not hold keeps its

@@ -71,7 +71,7 @@ struct VerifySettings {
   static constexpr int closings = 20;     ///< tries: another point may touch first
   // Words.
   static constexpr double in_metres = 1e-2, in_millimetres = 1e-5; ///< m/s: from there on
-  static constexpr double untold = 1e-9;       ///< scaled or SI: less only says how rounding went
+  static constexpr double negligible = 1e-9;   ///< scaled or SI: less only says how rounding went
   static constexpr double percent = 100;       ///< of a whole
   static constexpr int told_digits = 3;        ///< of a number: as answers are printed
   static constexpr double decade = 10;         ///< a tolerance is proposed as a power of it

@@ -130,7 +130,7 @@ private:
             const std::string& what, const char* source) {
     const double off = found - lawful;
     if (!is_worse(off / unit, worst_.scaled)) return;
-    const double zero = VerifySettings::untold * unit;
+    const double zero = VerifySettings::negligible * unit;
     int digits = VerifySettings::told_digits; // as many as show that they differ
     while (digits < std::numeric_limits<double>::max_digits10 &&
            in_digits(found, digits, zero) == in_digits(lawful, digits, zero))

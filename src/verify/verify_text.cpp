@@ -11,7 +11,7 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_rounding(double x) { return std::abs(x) < VerifySettings::untold; }
+bool is_rounding(double x) { return std::abs(x) < VerifySettings::negligible; }
 
 /// Two digits; without those that only say how rounding went.
 std::string short_number(double x) { return is_rounding(x) ? "below 1e-9" : printed("%.2g", x); }

@@ -11,7 +11,7 @@
 namespace lcpush::desktop {
 
 /// The answers in which every contact keeps its mode. A point without friction neither sticks nor
-/// rubs: where it touches, its mode is `stick`.
+/// slips: where it touches, its mode is `stick`.
 struct ModeCombination {
   std::vector<Mode> modes; ///< one a point
   SpreadReport ranges;     ///< over these answers: push, motion, forces, as find_spread has them

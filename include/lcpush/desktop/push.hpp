@@ -113,7 +113,7 @@ private:
   std::vector<NamedValue> closings(double unit) const;
   std::string explain(Status status, const PressureRun& run) const;
   void find_reason(RunReport& report) const;
-  std::string untold(const PushReport& report) const;
+  std::string why_refused(const PushReport& report) const;
   void read_ray(const PushOptions& options, RunReport& report) const;
   void compare_others(const PushOptions& options, BreakReport& report);
   void search_others(const PushOptions& options, PushReport& report);

@@ -1,8 +1,8 @@
 // The forces behind the expected motion, as a first basis: who presses, who sticks, who slides.
 #pragma once
 
-#include "lcpush/mechanics/solve/few_forces.hpp"
 #include "lcpush/mechanics/solve/force_columns.hpp"
+#include "lcpush/mechanics/solve/sparse_forces.hpp"
 
 namespace lcpush {
 namespace detail {
@@ -55,7 +55,7 @@ private:
     for (Index k = 0; k < 6; ++k)
       target[k] = assembly_.factored().mobility.row(k).isZero(S(0)) ? S(0) : by_forces_[k];
     for (Index a = 0; a < sums; ++a) target[6 + a] = -assembly_.factored().sums[a].target;
-    FewForces<S> loose, tight;
+    SparseForces<S> loose, tight;
     const auto loose_column = [&](const Ray& ray) { return ray_column(ray, false); };
     // Pressure first: friction is for what it leaves.
     const auto pressed_only = [&](const Balance<S>& rest, const auto& visit) {
@@ -155,8 +155,8 @@ private:
     return !is_preloaded(b) && !is_soft(b) && rate(i, 0) > still_;
   }
 
-  /// Lean k of a pad's pressure, at a point: evenly, or four ways.
-  S lean(Index p, Index i, Index k) const {
+  /// Tilt k of a pad's pressure, at a point: evenly, or four ways.
+  S tilt(Index p, Index i, Index k) const {
     const Body<S>& pad = body(pad_of_[p]);
     const Vector3<S> arm =
         (assembly_.scene().points[i] - centre_[p]) / assembly_.layout().scales.length;
@@ -183,7 +183,7 @@ private:
       columns.setZero();
       for (Index i = first; i < first + body(b).point_count; ++i) {
         const Balance<S> force = share(b, i) * pressed(b, i);
-        for (const Index k : {0, 1, 3}) columns.col(k) += force * lean(p, i, k);
+        for (const Index k : {0, 1, 3}) columns.col(k) += force * tilt(p, i, k);
       }
       columns.col(2) = -columns.col(1);
       columns.col(4) = -columns.col(3);
@@ -230,18 +230,18 @@ private:
   }
 
   /// The normal force that `few` gives a point.
-  S pressure(const FewForces<S>& few, Index b, Index i, bool rays = false) const {
+  S pressure(const SparseForces<S>& few, Index b, Index i, bool rays = false) const {
     S sum(0);
     for (Index k = 0; k < few.size(); ++k) {
       const Ray& ray = few.ray(k);
       if (ray.body != b) continue;
-      if (ray.point < 0) sum += few.force(k) * share(b, i) * lean(pad(b), i, ray.generator);
+      if (ray.point < 0) sum += few.force(k) * share(b, i) * tilt(pad(b), i, ray.generator);
       if (ray.point == i && (ray.generator < 0 || rays)) sum += few.force(k);
     }
     return sum;
   }
   /// The two points of every pad that press most: they can hold most by friction.
-  void find_most_loaded(const FewForces<S>& few) {
+  void find_most_loaded(const SparseForces<S>& few) {
     for (Index p = 0; p < pads_; ++p) {
       const Body<S>& pad = body(pad_of_[p]);
       S most[2] = {S(0), S(0)};
@@ -260,7 +260,7 @@ private:
     }
   }
   /// Does a pad press all over, and hold no more by friction than all of it can?
-  bool can_be(const FewForces<S>& few, Index b) const {
+  bool can_be(const SparseForces<S>& few, Index b) const {
     S limit(0), friction(0);
     for (Index i = body(b).first_point; i < body(b).first_point + body(b).point_count; ++i) {
       const S here = pressure(few, b, i);
@@ -277,7 +277,7 @@ private:
   }
 
   /// Who presses and sticks as `few` says; all that slide do so whether they press or not.
-  void mark(const FewForces<S>& few) const {
+  void mark(const SparseForces<S>& few) const {
     for (Index b = 0; b < assembly_.scene().bodies.size; ++b)
       for (Index i = body(b).first_point; i < body(b).first_point + body(b).point_count; ++i)
         active_[cone(i).variable] = pressure(few, b, i, !is_soft(b)) > S(0) ? 1 : 0;

@@ -2,7 +2,7 @@
 // is worth to it.
 #pragma once
 
-#include "lcpush/mechanics/solve/few_forces.hpp"
+#include "lcpush/mechanics/solve/sparse_forces.hpp"
 
 namespace lcpush {
 namespace detail {

@@ -13,24 +13,24 @@ constexpr Index most_balances = 12;
 template <class S> using Balance = Eigen::Matrix<S, most_balances, 1>;
 
 /// A ray of a contact's cone: its normal force, with friction at its limit along one generator; or
-/// how a soft pad's pressure leans.
+/// how a soft pad's pressure tilts.
 struct Ray {
   Index body = -1;
   Index point = -1;     ///< -1: of the whole pad
-  Index generator = -1; ///< -1: no friction; of a pad: which lean
+  Index generator = -1; ///< -1: no friction; of a pad: which tilt
   bool operator==(const Ray& other) const {
     return body == other.body && point == other.point && generator == other.generator;
   }
 };
 
 /// Forces >= 0 along rays that add up to a target, by nonnegative least squares.
-template <class S> class FewForces {
+template <class S> class SparseForces {
 public:
-  FewForces()
+  SparseForces()
       : block_({scalars_, Active::scalars(most_balances)}),
         active_(block_, {used_, most_balances}, {barred_, LeastSquaresSettings::rays_tried}) {}
-  FewForces(const FewForces&) = delete;
-  FewForces& operator=(const FewForces&) = delete;
+  SparseForces(const SparseForces&) = delete;
+  SparseForces& operator=(const SparseForces&) = delete;
 
   /// From the forces that there are. for_each(rest, visit) calls visit(ray, its column's product
   /// with rest) for every candidate. True: the target is met.
