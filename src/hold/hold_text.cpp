@@ -5,12 +5,28 @@
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lcpush::desktop {
 namespace {
 
 constexpr const char* units[] = {"N", "N m", "m/s^2"};
+
+/// m/s^2: what accelerates the object by less is what rounding leaves of no hold at all.
+constexpr double unfelt = 1e-12;
+
+/// With 0 for such limits.
+HoldStudy without_rounding(const SceneFile& file, HoldStudy study) {
+  const double force = unfelt * file.object.mass;
+  const double least[] = {force, force * object_size(file), unfelt};
+  const auto clean = [&](HoldLimit& limit) {
+    if (limit.limit < least[static_cast<int>(limit.what.kind)]) limit.limit = 0;
+  };
+  std::for_each(study.limits.begin(), study.limits.end(), clean);
+  std::for_each(study.weakest.begin(), study.weakest.end(), clean);
+  return study;
+}
 
 std::string grip_text(const HoldStudy& study, double factor) {
   const std::string force =
@@ -111,9 +127,10 @@ std::string cell(double value, bool is_held) {
   return std::isnan(value) ? "-" : std::isinf(value) ? is_held ? "any" : "-" : brief(value);
 }
 
-/// "?" where statics allows it and the scene's law has not said how far; "-" where no law asks.
+/// "?" where statics allows it and the scene's law has not said how far; nothing across a plane.
 std::string limit_cell(const HoldLimit& limit) {
-  return std::isnan(limit.limit) && !std::isnan(limit.statics) ? "?" : cell(limit.limit, true);
+  if (!std::isnan(limit.limit)) return cell(limit.limit, true);
+  return std::isnan(limit.statics) ? "" : "?";
 }
 
 TableRows limit_rows(const HoldStudy& study) {
@@ -142,11 +159,11 @@ std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
 }
 
 /// Where statics would allow more than the scene's law.
-std::string statics_text(const HoldStudy& study) {
+std::string statics_text(const SceneFile& file, const HoldStudy& study) {
   std::string text;
   const auto compare = [&](const HoldLimit& limit) {
     if (std::abs(limit.statics - limit.limit) <= hold_settings.told * limit.limit ||
-        limit.statics == limit.limit)
+        limit.statics == limit.limit || (limit.limit == 0 && std::isinf(limit.statics)))
       return;
     text += (text.empty() ? "" : ", ") + against(limit) + " " +
             (std::isinf(limit.statics)
@@ -158,7 +175,7 @@ std::string statics_text(const HoldStudy& study) {
       study.grip.force > 0)
     text =
         "least grip " + grip_text(study, study.statics_factor) + (text.empty() ? "" : "; ") + text;
-  return text;
+  return text.empty() || !has_patches(file) ? text : text + "; pressure would have to shift";
 }
 
 std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
@@ -194,14 +211,15 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
   if (!std::isnan(study.tilt))
     facts.push_back({"Tilt", brief(study.tilt * degrees_a_radian) + " degrees of gravity, any way" +
                                  (study.is_statics ? "" : ", by statics")});
-  if (const std::string text = statics_text(study); !text.empty())
-    facts.push_back({"By statics", text + "; pressure would have to shift"});
+  if (const std::string text = statics_text(file, study); !text.empty())
+    facts.push_back({"By statics", text});
   return facts;
 }
 
 } // namespace
 
-std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
+std::string hold_answer(const SceneFile& file, const HoldStudy& given) {
+  const HoldStudy study = without_rounding(file, given);
   const std::string object = object_name(file);
   if (!study.held)
     return "It is not known whether the grasp holds " + object +
@@ -228,10 +246,12 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
          units[static_cast<int>(least->what.kind)] + " " + give_way_words(file, least->gives) + ".";
 }
 
-std::string hold_text(const SceneFile& file, const HoldStudy& study) {
+std::string hold_text(const SceneFile& file, const HoldStudy& given) {
+  const HoldStudy study = without_rounding(file, given);
   std::string text = title_line(file) + hold_answer(file, study) + "\n\n";
   if (study.held.value_or(false) && !study.limits.empty())
-    text += table_text(limit_rows(study)) + "\n";
+    text += table_text(limit_rows(study)) +
+            (file.planar ? "In a plane nothing is asked across it.\n\n" : "\n");
   return text + facts_text(hold_facts(file, study));
 }
 

@@ -1,4 +1,5 @@
 // What holds the object before it is pushed: the hand, and with which grip force.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -46,6 +47,19 @@ std::string hand_words(const SceneFile& file) {
   return file.bodies.front().role == Role::finger ? "fingers that stand still" : "none";
 }
 
+/// "; table presses with 0 N, ..": of fingers across the plane that nothing closes.
+std::string idle_words(const SceneFile& file) {
+  std::vector<std::string> idle;
+  for (std::size_t b = 0; b < file.bodies.size() && file.planar; ++b)
+    if (const Body<double>& body = file.bodies[b];
+        body.role == Role::finger && body.normal.head<2>().isZero(word_settings.component) &&
+        !is_driven(file.view(), static_cast<Index>(b)))
+      idle.push_back(file.body_names[b]);
+  if (idle.empty()) return "";
+  return "; " + listed(idle, "and") + (idle.size() > 1 ? " press" : " presses") +
+         " with 0 N: a force across the plane is a finger's grip_force";
+}
+
 /// Do forces exist that hold it? Laws but that of pads leave open which there are.
 bool may_be_held(const SceneFile& file) {
   if (file.pressure == Pressure::pad) return false;
@@ -90,7 +104,8 @@ std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds
 
 /// The end of the line that says whether it holds, and where the pressure law, and not statics,
 /// sets the limit.
-std::string ending(const GripReport& report, const SmallestGrip& grip, bool holds, bool is_open) {
+std::string ending(const SceneFile& file, const GripReport& report, const SmallestGrip& grip,
+                   bool holds, bool is_open) {
   std::string text = holds ? "; it" : ".\nIt";
   switch (grip.source) {
   case GripSource::no_grip:
@@ -110,8 +125,8 @@ std::string ending(const GripReport& report, const SmallestGrip& grip, bool hold
             amount(report, grip.factor) + ".";
   const bool is_of_law = grip.bound < (1 - word_settings.digit) * grip.factor;
   if (grip.source == GripSource::search && grip.bound > 0 && is_of_law)
-    text += "\nThat is this pressure law's limit; statics alone would allow " +
-            amount(report, grip.bound) + ".";
+    text += (has_patches(file) ? "\nThat is this pressure law's limit; statics" : "\nStatics") +
+            std::string(" alone would allow ") + amount(report, grip.bound) + ".";
   return text;
 }
 
@@ -135,9 +150,15 @@ std::string acceleration_text(const Vector6<double>& a, double length, Telling t
   return listed(parts, "and");
 }
 
+bool has_patches(const SceneFile& file) {
+  return std::any_of(file.bodies.begin(), file.bodies.end(), [](const Body<double>& body) {
+    return body.role == Role::finger && body.point_count > 1;
+  });
+}
+
 bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
 
-Fact hand_fact(const SceneFile& file) { return {"Hand", hand_words(file)}; }
+Fact hand_fact(const SceneFile& file) { return {"Hand", hand_words(file) + idle_words(file)}; }
 
 Fact hold_fact(const SceneFile& file, const HoldReport& hold) {
   const Fact fact = hold_words(file, hold);
@@ -150,12 +171,12 @@ Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& 
   Fact fact = hold_words(file, hold);
   const bool is_known = hold.status == Status::solved, holds = report.status == Status::solved;
   fact.text +=
-      is_known ? ending(grip, grip.alone, hold.holds, may_be_held(hand_at_rest(file))) : ".";
+      is_known ? ending(file, grip, grip.alone, hold.holds, may_be_held(hand_at_rest(file))) : ".";
   if (!holds && report.status != Status::does_not_hold) return fact;
   if (is_known && hold.holds == holds && same_answer(grip.alone, grip.at_rest)) return fact;
   fact.text += std::string("\nWith the pusher in place, at rest, it ") +
                (holds ? "holds" : "does NOT hold") +
-               ending(grip, grip.at_rest, holds, may_be_held(file));
+               ending(file, grip, grip.at_rest, holds, may_be_held(file));
   return fact;
 }
 

@@ -32,7 +32,8 @@ std::string both_answers(const SceneFile& file, double found, double other) {
     mine = in_digits(found, digits);
     its = in_digits(other, digits);
   }
-  const std::string both = (found < other ? mine + " or " + its : its + " or " + mine) + " N. ";
+  const std::string both =
+      "for instance " + (found < other ? mine + " or " + its : its + " or " + mine) + " N. ";
   switch (file.pressure) {
   case Pressure::pad:
     return both + mine + " N is the pad law's answer from an even preload; " + its +
@@ -90,8 +91,8 @@ std::string others_text(const SceneFile& file, const PushReport& report) {
     else if (std::abs(other - push) > word_settings.other_force * report.scales.force)
       text += both_answers(file, push, other) + "\n";
     else
-      text += "the paper's laws leave it open" +
-              std::string(motion ? "" : " how it is shared and where it acts") + ".\n";
+      text += motion ? "the paper's laws leave it open.\n"
+                     : "any share of it that obeys the laws, and any place, holds; one is shown.\n";
   }
   return text.empty() ? "" : "\n" + text + "See: lcpush spread " + file.lines.file + "\n";
 }
@@ -111,7 +112,7 @@ std::string velocity_text(const SceneFile& file, const PushReport& report) {
     has_speed = has_speed || (file.bodies[b].role == Role::pusher && file.strokes[b].is_velocity);
   const double inertia = file.object.mass * report.answer.acceleration.head<3>().norm();
   if (!has_speed || !(inertia > word_settings.inertia * total_push(file, report))) return "";
-  return "A pusher's velocity is taken as an acceleration here, from rest; for the push at that\n"
+  return "A pusher's velocity is taken as an acceleration here, from rest; for the push at that "
          "speed ask lcpush move.\n";
 }
 

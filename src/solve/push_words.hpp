@@ -43,6 +43,8 @@ std::string hold_sentence(const SceneFile& file, const HoldReport& hold);
 /// of the other. `length`: m, of the grasp.
 std::string acceleration_text(const Vector6<double>& a, double length, Telling telling);
 bool has_pusher(const SceneFile& file);
+/// Fingers of several points, whose pressure a law shares out.
+bool has_patches(const SceneFile& file);
 
 /// A head and a row for each contact; in brief for each body, its forces summed.
 TableRows contact_rows(const SceneFile& file, const PushReport& report,

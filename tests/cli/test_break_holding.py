@@ -107,6 +107,14 @@ class Holding(ToolTest):
                 self.assertEqual(answer["smallest_grip_from"], source)
         self.assertIn("That is this pressure law's limit; statics alone would allow 1.962 N",
                       self.text(beside))
+        # Single points share by their place alone: no pressure law has a limit.
+        corners = "".join(finger(name, "point", center=[x, y, 0], normal=[-x / 0.02, -y / 0.02, 0], friction=mu, grip_force=force)
+                          for name, x, y, mu, force in (("left", 0, 0.02, 0.5, 20), ("right", 0, -0.02, 0.5, 20),
+                                                        ("third", 0.02, 0, 0.5, 4), ("fourth", -0.02, 0, 0.1, 4)))
+        rod = pusher("rod", "point", center=[-0.02, 0.01, 0], normal=[1, 0, 0], friction=0.1, acceleration=[1, 0, 0])
+        points = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=0.2, box=[0.04, 0.04, 0.04]) + corners + rod)
+        self.assertIn("Statics alone would allow 1.86042 N", self.text(points))
+        self.assertNotIn("pressure law", self.text(points))
 
     def test_an_actuator_is_no_pair_of_jaws_by_its_name(self):
         hand = "gravity = [0, 0, -9.81]\n" + (SCENES / "three_finger_hand.toml").read_text()

@@ -441,6 +441,13 @@ class Words(ToolTest):
         self.assertAlmostEqual(answer["least_grip"]["force"] / surface_grip(square(40), 0.61, 9.07 * 24.525, 0.85), 1, delta=1e-3)
         self.assertAlmostEqual(answer["least_grip"]["statics_factor"] * 3000, 1130, delta=10)
 
+    def test_in_a_plane_no_cell_stands_across_it_and_a_table_without_weight_says_why(self):
+        table_ = finger("table", [0, 0, -0.02], [0, 0, 1], shape="disc", radius=0.01)
+        said = unwrapped(run("-", text=scene(table_, top="planar = true\n")).stdout)
+        self.assertIn("force N 0 0 0 0 0 moment N m 0 0 0 acceleration m/s^2 0 0 0 0 0 In a plane nothing is asked across it.", said)
+        self.assertIn("table presses with 0 N: a force across the plane is a finger's grip_force", said)
+        self.assertNotIn("e-", said)
+
 
 if __name__ == "__main__":
     main()

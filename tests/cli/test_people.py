@@ -113,11 +113,11 @@ class People(unittest.TestCase):
     def test_two_answers_are_told_with_both_numbers(self):
         text = unwrapped(run("break", SOURCE / "fixtures/scenes/rolling_two_answers.toml").stdout)
         mine = re.search(r"breaks at ([0-9.]+) N", text)[1]
-        other = next(force for force in re.search(r"unique: ([0-9.]+) or ([0-9.]+) N", text).groups()
+        other = next(force for force in re.search(r"unique: for instance ([0-9.]+) or ([0-9.]+) N", text).groups()
                      if force != mine)
         self.assertRegex(mine + other, "[0-9]")
         text = text.replace(f"{other} or {mine} N", f"{mine} or {other} N")
-        self.assertIn(f"not unique: {mine} or {other} N. {mine} N is the pad law's answer from an "
+        self.assertIn(f"not unique: for instance {mine} or {other} N. {mine} N is the pad law's answer from an "
                       f"even preload; {other} N is another answer of the paper's laws, which leave "
                       "open how a patch shares its force. See: lcpush spread", text)
 
