@@ -153,16 +153,18 @@ template <class S> Status command(CPush<S>& push, const S* forces, const S* acce
   push.begin_command();
   const Mistake mistake = push.mistake_of(forces, accelerations);
   if (mistake != Mistake::none) return push.refuse(mistake);
-  bool changes = !push.is_under_way();
+  bool changes = false;
   const auto take = [&](S& number, const S& commanded) {
     changes |= number != commanded;
     number = commanded;
   };
   for (Index a = 0; forces != nullptr && a < push.given().actuators.size; ++a)
     take(push.force(a), forces[a]);
+  const bool grips_anew = changes;
+  changes |= !push.is_under_way();
   for (Index i = 0; accelerations != nullptr && i < 6 * push.given().bodies.size; ++i)
     take(push.acceleration(i / 6)[i % 6], accelerations[i]);
-  return changes ? push.take_command() : Status::running;
+  return changes ? push.take_command(grips_anew) : Status::running;
 }
 
 /// The body of the scene as it was described: under even pressure every point is a body of its own.

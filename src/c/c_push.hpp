@@ -9,6 +9,7 @@
 #include <new>
 
 #include "c_motion.hpp"
+#include "c_present_grip.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/validate.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
@@ -153,10 +154,13 @@ public:
   // What a command changes.
   S& force(Index actuator) { return actuators_[actuator].force; }
   Vector6<S>& acceleration(Index body) { return bodies_[body].acceleration; }
-  /// Its grip forces or motions have changed.
-  Status take_command() {
+  /// Its grip forces or motions have changed. The last answer's forces are fitted to the grip.
+  Status take_command(bool grips_anew) {
     goes_on_ = goes_on_ || is_under_way();
-    return set_up(&assemble_command);
+    (void)set_up(&assemble_command);
+    if (grips_anew && has_answer())
+      PresentGrip<S>(*scene_, assembly_.layout().scales.length, kept_).fit();
+    return status_;
   }
 
   bool is_under_way() const { return begun_ && (status_ == Status::running || is_interrupted_); }

@@ -153,10 +153,10 @@ static void goes_on_after_a_limit(void) {
   }
 }
 
-/* Whatever happens to later solves: the forces stay, and it is told how old and how wrong they are
- * by now. */
+/* Whatever happens to later solves: the answer stays, its forces pressed by the grip as it is now,
+ * and it is told how old and how wrong they are. */
 static void keeps_the_last_answer(void) {
-  const double wrong[2] = {NAN, 20};
+  const double wrong[2] = {NAN, 20}, none[2] = {0, 0}, one[2] = {0, 12};
   double forces[2] = {30, 30};
   const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
@@ -178,13 +178,22 @@ static void keeps_the_last_answer(void) {
     CHECK(lcpush_age(push) == k && lcpush_residual(push) > 0.1);
     CHECK(lcpush_step(push, 1) == LCPUSH_RUNNING && lcpush_age(push) == k);
     lcpush_wrench_of(push, 2, wrench);
-    CHECK(near(wrench[0], 20.02, 1e-9) && near(contact_at(push, 0).friction_force[0], -10, 1e-9));
+    CHECK(near(wrench[0], 0.5 * (forces[0] + forces[1]) + 0.02, 1e-9));
+    CHECK(near(contact_at(push, 0).normal_force, forces[0], 1e-9) &&
+          near(contact_at(push, 0).friction_force[0], -0.5 * forces[0], 1e-9));
     CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9) && contact_at(push, 0).mode == LCPUSH_SLIDE);
   }
   CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_age(push) == 7);
-  CHECK(near(contact_at(push, 2).normal_force, 20.02, 1e-9) && contact_at(push, 2).body == 2);
+  CHECK(near(contact_at(push, 2).normal_force, 28.02, 1e-9) && contact_at(push, 2).body == 2);
+  /* No grip, and one of one finger: where nothing pressed it presses evenly, and does not rub. */
+  CHECK(lcpush_command(push, none, NULL) == LCPUSH_RUNNING);
+  CHECK(contact_at(push, 0).normal_force == 0 && contact_at(push, 1).friction_force[0] == 0);
+  CHECK(near(contact_at(push, 2).normal_force, 0.02, 1e-9));
+  CHECK(lcpush_command(push, one, NULL) == LCPUSH_RUNNING && lcpush_age(push) == 9);
+  CHECK(near(contact_at(push, 1).normal_force, 12, 1e-9) && contact_at(push, 0).normal_force == 0);
+  CHECK(contact_at(push, 1).friction_force[0] == 0 && lcpush_residual(push) > 0.1);
   lcpush_limit(push, 0);
-  CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING && lcpush_age(push) == 8);
+  CHECK(lcpush_command(push, forces, NULL) == LCPUSH_RUNNING && lcpush_age(push) == 10);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_age(push) == 0);
   CHECK(contact_at(push, 2).mode == LCPUSH_SEPARATE && lcpush_residual(push) < 1e-9);
   CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING && lcpush_age(push) == -1);

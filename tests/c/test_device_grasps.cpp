@@ -10,6 +10,16 @@ TEST_CASE("a thousand grasps in float on a device: at least 995 solved, none of 
     for (const Index facets : {4, 8}) check_a_thousand(pressure, facets);
 }
 
+TEST_CASE("whatever a command's solve still takes, forces obey its grip and their cones") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid, Pressure::even})
+    check_commands_cut_off(pressure);
+}
+
+TEST_CASE("a tighter grip's push is told more nearly than by the answer before") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid, Pressure::even})
+    check_tighter_grips(pressure);
+}
+
 TEST_CASE("float on a device has the push to a per cent unless it is slow beside grip over mass") {
   const double ratios[] = {1, 1e-1, 1e-2, 1e-3, 1e-4}, least[] = {98, 95, 88, 65, 15};
   for (int k = 0; k < 5; ++k) {

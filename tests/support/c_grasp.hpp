@@ -70,9 +70,13 @@ inline Eigen::Vector3d vector(const lcpushf_point& p) {
   return Eigen::Vector3f(p.x, p.y, p.z).cast<double>();
 }
 
-/// In double, by nothing of the solver's: Newton's law of the object, cones, and what the fingers
-/// press with. The worst, by the size of forces.
-inline double violation(const CGrasp& grasp, const lcpushf_push* push) {
+struct Violation {
+  double newton = 0, cones_and_grip = 0;
+};
+
+/// In double, by nothing of the solver's: Newton's law of the object; cones, and what the fingers
+/// press with. The worst of each, by the size of forces.
+inline Violation violation(const CGrasp& grasp, const lcpushf_push* push) {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
   double worst = 0;
   std::vector<double> presses(grasp.bodies.size());
@@ -106,13 +110,13 @@ inline double violation(const CGrasp& grasp, const lcpushf_push* push) {
   Eigen::Vector3d forces = force + weight - mass * motion.head<3>();
   Eigen::Vector3d moments = moment - inertia * motion.tail<3>();
   if (grasp.scene.planar != 0) forces[2] = moments[0] = moments[1] = 0;
-  worst = std::max({worst, forces.norm(), moments.norm() / length});
   for (const lcpushf_drive& drive : grasp.drives) {
-    const auto grip =
-        static_cast<double>(grasp.actuators[static_cast<std::size_t>(drive.actuator)].force);
+    const lcpushf_actuator& actuator = grasp.actuators[static_cast<std::size_t>(drive.actuator)];
+    const auto grip = static_cast<double>(
+        actuator.force - actuator.inertia * lcpushf_closing_of(push, drive.actuator));
     worst = std::max(worst, std::abs(presses[static_cast<std::size_t>(drive.body)] - grip));
   }
-  return worst / grasp.size();
+  return {std::max(forces.norm(), moments.norm() / length) / grasp.size(), worst / grasp.size()};
 }
 
 struct GraspCount {
@@ -144,7 +148,8 @@ inline GraspCount solve_a_thousand(Pressure pressure, Index facets) {
     if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
     ++count.solved;
     count.pivots.push_back(lcpushf_pivots(push));
-    const double worst = violation(grasp, push);
+    const Violation violated = violation(grasp, push);
+    const double worst = std::max(violated.newton, violated.cones_and_grip);
     CHECK(worst <= 2e-4);
     count.worst = std::max(count.worst, worst);
   }
@@ -162,6 +167,97 @@ inline void check_a_thousand(Pressure pressure, Index facets) {
                  << ", 99 % " << count.pivots[count.pivots.size() * 99 / 100] << ", most "
                  << count.pivots.back() << ", worst violation " << count.worst);
   CHECK(count.solved >= 995);
+}
+
+inline Eigen::Vector3f push_force(const CGrasp& grasp, const lcpushf_push* push) {
+  float wrench[6];
+  lcpushf_wrench_of(push, grasp.scene.body_count - 1, wrench);
+  return Eigen::Map<const Eigen::Vector3f>(wrench);
+}
+inline float median(std::vector<float> of) {
+  std::sort(of.begin(), of.end());
+  return of[of.size() / 2];
+}
+
+/// Of three hundred each is answered, gripped a tenth tighter, and told before that is solved: by
+/// how much of the solved push the old one is off, and the one told, in the median.
+inline void check_tighter_grips(Pressure pressure) {
+  const Family family = pressure == Pressure::even ? Family::even : Family::plain;
+  const lcpush_size most{48, 24, 4, 48, 48, 0};
+  std::vector<double> memory(LCPUSH_BYTES(float, 48, 24, 4, 48, 48) / sizeof(double) + 1);
+  std::vector<float> old_off, told_off;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    OwnedScene<float> owned = grasp_of<float>(family, seed);
+    if (owned.points.size() > 24) continue;
+    owned.base.facets = 4;
+    owned.base.pressure = pressure;
+    const CGrasp grasp(owned);
+    lcpushf_push* const push = lcpushf_make(memory.data(), memory.size() * sizeof(double), &most);
+    REQUIRE(push != nullptr);
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
+    const Eigen::Vector3f old = push_force(grasp, push);
+    std::vector<float> tighter;
+    for (const lcpushf_actuator& a : grasp.actuators) tighter.push_back(1.1F * a.force);
+    REQUIRE(lcpushf_command(push, tighter.data(), nullptr) == LCPUSH_RUNNING);
+    const Eigen::Vector3f told = push_force(grasp, push);
+    if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
+    const Eigen::Vector3f solved = push_force(grasp, push);
+    if (!(solved.norm() > 0)) continue;
+    old_off.push_back((old - solved).norm() / solved.norm());
+    told_off.push_back((told - solved).norm() / solved.norm());
+  }
+  MESSAGE("law " << static_cast<int>(pressure) << ": a tenth more grip, " << old_off.size()
+                 << " pushes: off by " << median(old_off) << " as they were, by "
+                 << median(told_off) << " as told");
+  CHECK(old_off.size() > 200);
+  CHECK(median(told_off) < 0.5F * median(old_off));
+}
+
+/// Three hundred answered, then each with another grip and motion, cut off in the first tick:
+/// forces are in their cones and press with the new grip, and where they do not balance it is told.
+inline void check_commands_cut_off(Pressure pressure) {
+  CAPTURE(static_cast<int>(pressure));
+  const Family family = pressure == Pressure::even ? Family::even : Family::plain;
+  const lcpush_size most{48, 24, 4, 48, 48, 0};
+  std::vector<double> memory(LCPUSH_BYTES(float, 48, 24, 4, 48, 48) / sizeof(double) + 1);
+  int cut = 0, balanced = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    OwnedScene<float> owned = grasp_of<float>(family, seed);
+    if (owned.points.size() > 24) continue;
+    owned.base.facets = 4;
+    owned.base.pressure = pressure;
+    CGrasp grasp(owned);
+    for (lcpushf_actuator& a : grasp.actuators) // of an even finger's shares the mean is told
+      a.inertia = pressure == Pressure::even ? 0 : a.force * static_cast<float>(seed % 3) * 2;
+    std::vector<float> forces, motions;
+    lcpushf_push* const push = lcpushf_make(memory.data(), memory.size() * sizeof(double), &most);
+    REQUIRE(push != nullptr);
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
+    for (const lcpushf_body& body : grasp.bodies)
+      for (const float x : body.acceleration) motions.push_back(2 * x);
+    for (int tick = 0; tick < 3; ++tick) { // a tighter grip, or none; a looser one
+      CAPTURE(seed);
+      CAPTURE(tick);
+      forces.clear();
+      for (lcpushf_actuator& a : grasp.actuators) {
+        const auto k = static_cast<float>(forces.size() + seed % 3);
+        a.force = tick == 1 && seed % 5 == 0 ? 0 : a.force * (tick == 2 ? 0.3F : 1 + k) + k;
+        forces.push_back(a.force);
+      }
+      REQUIRE(lcpushf_command(push, forces.data(), motions.data()) == LCPUSH_RUNNING);
+      if (lcpushf_step_within(push, 1) != LCPUSH_RUNNING) continue;
+      const Violation violated = violation(grasp, push);
+      CHECK(violated.cones_and_grip <= 1e-5);
+      if (violated.newton > 1e-2) CHECK(lcpushf_residual(push) > 1e-4F);
+      balanced += violated.newton < 0.1 ? 1 : 0;
+      ++cut;
+    }
+  }
+  MESSAGE("law " << static_cast<int>(pressure) << ": " << cut << " commands cut off, in "
+                 << balanced << " of them the forces balance to a tenth");
+  CHECK(cut > 100);
 }
 
 /// Of grasps under `pad` whose fastest body has `ratio` of grip force over mass: in how many of a

@@ -130,8 +130,11 @@ lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
 void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots);
 
 /* The last answer: of the last solve that ended in SOLVED, or of lcpush_break_grasp, since
- * lcpush_describe. It stays while a later solve is under way, has failed or was refused. Zeros
- * where there is none. */
+ * lcpush_describe. It stays while a later solve is under way, has failed or was refused; but a
+ * command that changes grip forces scales its forces body by body: those of driven bodies to the
+ * new grip, those of the others towards balance, all of them within their friction cones. Motion
+ * and modes stay. Where several actuators drive a body, the grip of the last of them is kept. Zeros
+ * where there is no answer. */
 void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6]);
 void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point, LCPUSH_NAME(contact) * out);
 void LCPUSH_NAME(wrench_of)(const LCPUSH_NAME(push) * push, int body, LCPUSH_REAL out[6]);
