@@ -50,7 +50,7 @@ double HoldingLaw::least_grip(double bound) {
   if (refuted == least && is_held(least * (1 + pads_.slack()), is_proved)) return least;
   const auto is_found = [&](double factor) { return is_held(factor, false); };
   const double found =
-      holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, is_found);
+      holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, 1, is_found);
   return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
 }
 
@@ -71,22 +71,24 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
     return more < bound && std::isfinite(bound) && is_held(more) ? halved(bound, more, is_held)
                                                                  : limit;
   }
-  const double refuted = std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm();
-  const double found = halved(refuted, 0, is_held);
+  const double far = std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm();
+  const double found = searched(far, -1, is_held);
+  for (const double part : hold_settings.less)
+    if (holds(1, part * found * wrench) == false) return halved(part * found, 0, is_held);
   return found >= most ? limit : found;
 }
 
-/// Upwards from what does not hold: the least that is found to hold. What lies beyond is taken to
-/// be held: the law promises no convex set.
-double HoldingLaw::searched(double refuted, const Question& is_held) const {
+/// From what does not hold upwards or downwards: the nearest that is found to hold. What lies
+/// beyond is taken to be held: the law promises no convex set.
+double HoldingLaw::searched(double refuted, double sign, const Question& is_held) const {
   const double unit = std::max(refuted, hold_settings.least_unit);
-  double step = hold_settings.first_step * unit, held = refuted + step;
+  double step = hold_settings.first_step * unit, held = std::max(0.0, refuted + sign * step);
   while (!is_held(held)) {
     if (work_.is_used_up() || held > statics_settings.most_force * unit)
       return std::numeric_limits<double>::quiet_NaN();
     refuted = held;
     step *= 2;
-    held += step;
+    held = std::max(0.0, refuted + sign * step);
   }
   return halved(refuted, held, is_held);
 }

@@ -43,7 +43,7 @@ private:
   PushOptions options() const;
 
   using Question = std::function<bool(double)>;
-  double searched(double refuted, const Question& is_held) const;
+  double searched(double refuted, double sign, const Question& is_held) const;
   double halved(double refuted, double held, const Question& is_held) const;
 };
 
