@@ -4,6 +4,7 @@
 #include "lcpush/desktop/push.hpp"
 #include "text/wording.hpp"
 #include "verify/settings.hpp"
+#include "verify/verify_rows.hpp"
 
 #include <algorithm>
 
@@ -81,10 +82,13 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
     if (!contact.body.empty() && contact.body != body)
       answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
                               ", the scene's of " + quoted(body);
-    if (contact.position && !((*contact.position - file.positions[i]).norm() <= near))
-      answer.not_this_scene = "contact " + known[i] + " is at another place, " +
-                              shown((*contact.position - file.positions[i]).norm()) +
-                              " m from the scene's";
+    const double off = contact.position ? (*contact.position - file.positions[i]).norm() : 0;
+    if (!(off <= near))
+      answer.not_this_scene =
+          "contact " + known[i] + " is at another place, " + shown(off) + " m from the scene's" +
+          (off <= VerifySettings::rounded * size ? "; if its places are rounded, --tolerance " +
+                                                       next_tolerance(off / size) + " takes them"
+                                                 : "");
     if (!answer.not_this_scene.empty()) return;
   }
 }

@@ -75,6 +75,7 @@ struct VerifySettings {
   static constexpr double percent = 100;       ///< of a whole
   static constexpr int told_digits = 3;        ///< of a number: as answers are printed
   static constexpr double decade = 10;         ///< a tolerance is proposed as a power of it
+  static constexpr double rounded = 5e-3;      ///< of the largest number: half the last of 3 digits
   static constexpr std::size_t told_names = 8; ///< of a scene's, in a sentence
   static constexpr double solves = 1e-8; ///< scaled: what is left of a basis that is a solution's
 };

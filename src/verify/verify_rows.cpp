@@ -212,4 +212,8 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
   return rows;
 }
 
+std::string next_tolerance(double off) {
+  return printed("%g", std::pow(VerifySettings::decade, std::ceil(std::log10(off))));
+}
+
 } // namespace lcpush::desktop

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/verify.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
 #include "verify/settings.hpp"
+#include "verify/verify_rows.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -152,16 +152,11 @@ std::string broken_lines(const std::vector<BrokenRow>& rows) {
   return text;
 }
 
-/// Of a number that would be right with more digits than it was printed with.
+/// Of an answer that is off by no more than numbers of three digits are.
 std::string rounding_sentence(const VerifyReport& report) {
-  const BrokenRow& row = report.rows[report.told];
-  if (row.law || !row.found || !row.lawful || row.scaled < report.residual) return "";
-  int digits = VerifySettings::told_digits;
-  while (std::strtod(in_digits(*row.found, digits).c_str(), nullptr) != *row.found) ++digits;
-  if (std::strtod(in_digits(*row.lawful, digits).c_str(), nullptr) != *row.found) return "";
-  return "That is within the rounding of " + counted(digits, "digit") + ": --tolerance " +
-         printed("%g", std::pow(VerifySettings::decade, std::ceil(std::log10(report.residual)))) +
-         " takes it.\n";
+  if (!report.hint.empty() || !(report.residual <= VerifySettings::rounded)) return "";
+  return "That is within the rounding of " + counted(VerifySettings::told_digits, "digit") +
+         ": --tolerance " + next_tolerance(report.residual) + " takes it.\n";
 }
 
 /// In SI units, of the row that is worst in scaled ones.
@@ -180,7 +175,8 @@ std::string brief_verdict(const VerifyReport& report) {
   if (valid) return text + own_sentence(report);
   const std::vector<BrokenRow> broken = broken_rows(report);
   // Of a single law the first sentence has said it.
-  if (broken.size() < 2) return text + rounding_sentence(report);
+  text += rounding_sentence(report);
+  if (broken.size() < 2) return text;
   return text + "\nThe laws that do not hold, and their worst rows:\n" + broken_lines(broken);
 }
 
