@@ -227,6 +227,13 @@ Document Arguments::given_scene(std::size_t k) const {
   if (files_.empty())
     throw UsageError("a scene file is needed; `lcpush new box -o mine.toml` writes one");
   scenes_.resize(files_.size());
+  const std::filesystem::path path = files_[k];
+  std::error_code ignored;
+  if (const std::string name = path.stem().string();
+      !std::filesystem::exists(path, ignored) && scene_called(example_scenes(), name) != nullptr)
+    throw UsageError("there is no file " + desktop::quoted(files_[k]) +
+                     ", but a shipped scene of this name: `lcpush example " + name + " -o " + name +
+                     ".toml` writes it");
   if (scenes_[k].empty()) scenes_[k] = read_scene_text(files_[k]);
   return {scenes_[k], scene_label(files_[k])};
 }

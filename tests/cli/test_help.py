@@ -8,6 +8,7 @@ OVERVIEW = run().stderr
 COMMANDS = re.findall(r"^(?:[a-z]+| ) +([a-z]+)  ", OVERVIEW, flags=re.M)
 SLIDE = SCENES / "straight_slide.toml"
 MISSES = [  # words, what is said instead
+    (["pivots", "coin"], "there is no file \"coin\", but a shipped scene of this name: `lcpush example coin -o coin.toml` writes it"),
     (["certify"], "is no command but an option, of solve, break, cone and lcp Try: lcpush solve SCENE.toml --certify FILE"),
     (["gallery"], "an option, of play Try: lcpush play --gallery"),
     *((["sweep", SLIDE, "--vary", *words], 'write --vary "edge.friction=5:25"') for words in (
