@@ -41,7 +41,9 @@ enum {
   LCPUSH_STAGNATED,           /* the sweeps make no more progress */
   LCPUSH_NUMERICAL_BREAKDOWN, /* an answer or a ray was reached, but it fails its check */
   LCPUSH_BAD_INPUT,           /* see lcpush_mistake_text */
-  LCPUSH_NOT_SETTLED          /* LCPUSH_ROUND: slips turn from round to round without end */
+  LCPUSH_NOT_SETTLED          /* LCPUSH_ROUND: slips turn from round to round without end. Pivots
+                                 then leave an answer over pyramids of 8 facets, of age 0, and the
+                                 residual says what that misses of round friction */
 };
 
 /* What is wrong with the input. */

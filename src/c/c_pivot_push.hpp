@@ -47,6 +47,7 @@ private:
   InPlace<PivotSolve> solve_;
   static constexpr int attempts = 3;
   int attempt_ = 0;
+  bool falls_back_ = false;
   Index pivots_ = 0;  // of the attempts before
   Index allowed_ = 0; // until the solve is interrupted
 
@@ -125,10 +126,28 @@ private:
     this->run_.pivots += pivots_ + pivots;
   }
 
+  /// Round friction that does not settle: an answer over pyramids of eight facets is one to go by.
+  void fall_back() {
+    falls_back_ = true;
+    this->scene_->round_cones = {};
+    (void)this->assembly_.assemble(*this->scene_); // it has fitted before
+    this->last_.known = false;
+    begin(0);
+  }
+  /// Judged by the round cone's law.
+  Status end_fall_back() {
+    this->make_round();
+    if (this->status_ == Status::solved)
+      this->residual_ =
+          check(*this->scene_, this->assembly_.layout().scales, this->kept_, S(1)).max();
+    return this->status_ = Status::not_settled;
+  }
+
   Status pivot(int pivots) {
     Status& status = this->status_;
     if (!this->begun_) {
       this->begun_ = true;
+      if (falls_back_) this->goes_on_ = this->last_.known = falls_back_ = false;
       pivots_ = allowed_ = 0;
       begin(0);
     }
@@ -145,9 +164,15 @@ private:
       note(0);
       (void)this->conclude();
       if (status == Status::solved) this->last_.guess = Guess::basis;
-      if (!may_be_lost(status) || attempt_ + 1 == attempts) return status;
       pivots_ = this->run_.pivots;
-      begin(attempt_ + 1);
+      if (may_be_lost(status) && attempt_ + 1 < attempts)
+        begin(attempt_ + 1);
+      else if (falls_back_)
+        return end_fall_back();
+      else if (status == Status::not_settled)
+        fall_back();
+      else
+        return status;
     }
     note(lemke_.pivots());
     return status;

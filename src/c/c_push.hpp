@@ -125,7 +125,7 @@ public:
               {drives_.data, scene.drives.size},
               {weights_.data, scene.weights.size}};
     scene_->points.data = points_.data;
-    if (is_round) scene_->round_cones = {work_.round_cones.data, scene_->points.size};
+    is_round_ = is_round;
     motion_ = nullptr;
     last_.known = false;
     age_ = -1;
@@ -270,6 +270,7 @@ protected:
   Index generators_, pulls_; ///< at most
   const Method* method_;
   bool described_ = false, is_spread_ = false;
+  bool is_round_ = false;       ///< friction, as the scene was described
   bool begun_ = false;          ///< a solve has begun and the scene is still the same
   bool is_interrupted_ = false; ///< by limit(): the next step goes on
   bool goes_on_ = false;        ///< the solver has a basis of a solve that a command has ended
@@ -304,6 +305,10 @@ protected:
     keep();
     return status_;
   }
+  /// Not where a solve falls back to pyramids.
+  void make_round() {
+    if (is_round_) scene_->round_cones = {work_.round_cones.data, scene_->points.size};
+  }
   void keep() {
     const Answer<S>& found = work_.answer;
     kept_.acceleration = found.acceleration;
@@ -329,7 +334,10 @@ private:
   }
 
   /// The solver's memory is about to be something else's.
-  void forget_solve() { begun_ = goes_on_ = is_interrupted_ = false; }
+  void forget_solve() {
+    begun_ = goes_on_ = is_interrupted_ = false;
+    make_round();
+  }
 
   static Answer<S> take_answer(Arena& arena, const Capacity& most) {
     Answer<S> answer;
@@ -342,6 +350,7 @@ private:
   /// By a pointer: what never commands links nothing for it.
   Status set_up(bool (*assemble)(CPush&)) {
     begun_ = is_interrupted_ = false;
+    make_round();
     give_back(*scene_);
     const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
                                 rest(actuators_, given_.actuators.size),

@@ -20,6 +20,10 @@ TEST_CASE("a tighter grip's push is told more nearly than by the answer before")
     check_tighter_grips(pressure);
 }
 
+TEST_CASE("round friction that does not settle leaves the answer of eight facets, and says so") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) check_unsettled(pressure);
+}
+
 TEST_CASE("float on a device has the push to a per cent unless it is slow beside grip over mass") {
   const double ratios[] = {1, 1e-1, 1e-2, 1e-3, 1e-4}, least[] = {98, 95, 88, 65, 15};
   for (int k = 0; k < 5; ++k) {

@@ -260,6 +260,50 @@ inline void check_commands_cut_off(Pressure pressure) {
   CHECK(cut > 100);
 }
 
+/// Of grasps under round friction, those that do not settle: they are told over eight facets, and
+/// by how much that misses the round cone's law.
+inline void check_unsettled(Pressure pressure) {
+  const lcpush_size most{12, 12, 8, 12, 12, 0};
+  std::vector<double> memory(LCPUSH_BYTES(float, 12, 12, 8, 12, 12) / sizeof(double) + 1);
+  int unsettled = 0, tried = 0, compared = 0, same = 0;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    OwnedScene<float> owned = grasp_of<float>(Family::plain, seed);
+    if (owned.points.size() > 12) continue;
+    owned.base.pressure = pressure;
+    CGrasp grasp(owned);
+    grasp.scene.facets = LCPUSH_ROUND;
+    CAPTURE(seed);
+    lcpushf_push* const push = lcpushf_make(memory.data(), memory.size() * sizeof(double), &most);
+    REQUIRE(push != nullptr);
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    ++tried;
+    if (lcpushf_solve(push) != LCPUSH_NOT_SETTLED) continue;
+    ++unsettled;
+    CHECK(lcpushf_age(push) == 0);
+    CHECK(lcpushf_residual(push) > 9e-5F);
+    const Violation violated = violation(grasp, push);
+    CHECK(std::max(violated.newton, violated.cones_and_grip) <= 2e-4);
+    // A command that ends it on the way is about round friction again.
+    const int pivots = lcpushf_pivots(push);
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    while (lcpushf_pivots(push) + 2 < pivots && lcpushf_step(push, 1) == LCPUSH_RUNNING) continue;
+    std::vector<float> forces;
+    for (lcpushf_actuator& a : grasp.actuators) forces.push_back(a.force *= 2);
+    REQUIRE(lcpushf_command(push, forces.data(), nullptr) == LCPUSH_RUNNING);
+    if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
+    const Eigen::Vector3f commanded = push_force(grasp, push);
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    if (lcpushf_solve(push) != LCPUSH_SOLVED) continue;
+    const auto size = static_cast<float>(grasp.size());
+    same += (commanded - push_force(grasp, push)).norm() <= 1e-2F * size ? 1 : 0;
+    ++compared;
+  }
+  MESSAGE("law " << static_cast<int>(pressure) << ": " << unsettled << " of " << tried
+                 << " do not settle; of " << compared << " commands " << same << " as described");
+  CHECK(unsettled > 0);
+  CHECK(same * 10 >= compared * 9);
+}
+
 /// Of grasps under `pad` whose fastest body has `ratio` of grip force over mass: in how many of a
 /// hundred float's push is within a per cent of double's.
 inline double within_a_per_cent(double ratio) {

@@ -129,20 +129,20 @@ lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
  */
 void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots);
 
-/* The last answer: of the last solve that ended in SOLVED, or of lcpush_break_grasp, since
- * lcpush_describe. It stays while a later solve is under way, has failed or was refused; but a
- * command that changes grip forces scales its forces body by body: those of driven bodies to the
- * new grip, those of the others towards balance, all of them within their friction cones. Motion
- * and modes stay. Where several actuators drive a body, the grip of the last of them is kept. Zeros
- * where there is no answer. */
+/* The last answer: of the last solve that ended in SOLVED, or in NOT_SETTLED with an answer over
+ * pyramids, or of lcpush_break_grasp, since lcpush_describe. It stays while a later solve is under
+ * way, has failed or was refused; but a command that changes grip forces scales its forces body by
+ * body: those of driven bodies to the new grip, those of the others towards balance, all of them
+ * within their friction cones. Motion and modes stay. Where several actuators drive a body, the
+ * grip of the last of them is kept. Zeros where there is no answer. */
 void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6]);
 void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point, LCPUSH_NAME(contact) * out);
 void LCPUSH_NAME(wrench_of)(const LCPUSH_NAME(push) * push, int body, LCPUSH_REAL out[6]);
 LCPUSH_REAL LCPUSH_NAME(closing_of)(const LCPUSH_NAME(push) * push, int actuator);
 
-/* How many ticks old it is: 0 right after SOLVED, -1: there is none. A tick is a command, taken or
- * refused, with the steps that follow, or without a command each step that ends without an answer.
- */
+/* How many ticks old it is: 0 right after SOLVED, or NOT_SETTLED with an answer; -1: there is none.
+ * A tick is a command, taken or refused, with the steps that follow, or without a command each step
+ * that ends without an answer. */
 int LCPUSH_NAME(age)(const LCPUSH_NAME(push) * push);
 
 /* By how much it violates the laws of the scene as last commanded, at most and scaled, by a check
