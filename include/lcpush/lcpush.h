@@ -80,15 +80,15 @@ enum { LCPUSH_ON_BODY, LCPUSH_ON_OBJECT };
 /* Where a body is asked for: the object. */
 #define LCPUSH_OBJECT (-1)
 
-/* Constant text, never NULL. */
+/* Constant text, never NULL; of what is none of them "unknown", of no mistake "". */
 const char* lcpush_status_text(lcpush_status status);
 const char* lcpush_mistake_text(lcpush_mistake mistake);
 const char* lcpush_mode_text(lcpush_mode mode);
 
-/* The most that a push will have to hold. `facets` is g; a soft contact (torsion_radius > 0) takes
- * 5 g + 2. Under even pressure a scene with driven patches is kept twice, once with every driven
- * point as a body with an actuator and a drive of its own: count the bodies, actuators and drives
- * of both. */
+/* The most that a push will have to hold. `facets` is g, 8 of LCPUSH_ROUND; a soft contact
+ * (torsion_radius > 0) takes 5 g + 2. Under even pressure a scene with driven patches is kept
+ * twice, once with every driven point as a body with an actuator and a drive of its own: count the
+ * bodies, actuators and drives of both. */
 typedef struct lcpush_size {
   int bodies, points, facets, actuators, drives;
   int pulls; /* points of bilateral bodies */

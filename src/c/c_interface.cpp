@@ -220,6 +220,7 @@ const char* lcpush_mistake_text(lcpush_mistake mistake) {
   return lcpush::mistake_text(static_cast<lcpush::Mistake>(mistake));
 }
 const char* lcpush_mode_text(lcpush_mode mode) {
+  if (mode < LCPUSH_STICK || mode > LCPUSH_SEPARATE) return "unknown";
   return lcpush::mode_text(static_cast<lcpush::Mode>(mode));
 }
 

@@ -686,6 +686,8 @@ int main(void) {
   commands_between_steps();
   CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
   CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);
+  CHECK(strcmp(lcpush_mode_text(99), "unknown") == 0 &&
+        strcmp(lcpush_status_text(-1), "unknown") == 0);
   if (faults == 0)
     printf("the C interface holds; %u bytes in double, %u in float\n", (unsigned)sizeof memory_d,
            (unsigned)sizeof memory_f);
