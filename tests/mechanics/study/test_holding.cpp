@@ -79,14 +79,14 @@ struct Expected {
     using Ending = desktop::StaticsProgram::Ending;
     const desktop::SceneFile file = hand_of(owned);
     const desktop::GripStatics statics(file);
-    desktop::StaticsProgram grip(statics, statics.grip_column(), 0, statics.demand(0));
+    desktop::StaticsProgram grip(statics, statics.grip_column(), 0, statics.load(0));
     if (grip.find_point() != Ending::none) {
       grips.push_back(optimum(grip, 1));
       grips.push_back(optimum(grip, -1));
     }
     const Eigen::MatrixXd column = statics.wrench_column(wrench) / statics.scales().force;
-    desktop::StaticsProgram load(statics, 0 * column, 1, statics.demand(1)),
-        beside(statics, column, 1, statics.demand(1));
+    desktop::StaticsProgram load(statics, 0 * column, 1, statics.load(1)),
+        beside(statics, column, 1, statics.load(1));
     if (load.find_point() != Ending::none && beside.find_point() == Ending::found)
       margin.push_back(optimum(beside, -1));
   }
