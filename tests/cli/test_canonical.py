@@ -1,6 +1,7 @@
 """Forty motions against closed forms that share no code with the tool, and their judge: what it refuses, and engines."""
 import importlib.util
 import json
+import math
 import re
 import subprocess
 import sys
@@ -60,13 +61,58 @@ class Canonical(ToolTest):
                 frame["twist"] = [1.01 * x for x in frame["twist"]]
                 for body in frame["bodies"]:
                     body["force"] = [1.01 * x for x in body["force"]]
-            self.assertIsNotNone(score.measured(motion, frames))
-            self.assertFalse(score.verdict(motion, score.evaluated(motion)[1], score.measured(motion, frames))[0], name)
+            got = score.measured(motion, score.series(frames))[0]
+            self.assertIsNotNone(got)
+            self.assertFalse(score.verdict(motion, score.evaluated(motion)[1], got)[0], name)
         for spoilt in ("", "{}", "time,x,y,z\n0,0,0,0\n", "time,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,nan,0,0,1,0,0,0\n",
                        "time,x,y,z,qw,qx,qy,qz\n1,0,0,0,1,0,0,0\n1,0,0,0,1,0,0,0\n"):
             status, text = scored("--trajectory", self.file("spoilt", spoilt), "held")
             self.assertEqual((status, " - of " in text), (1, True), spoilt)
         self.assertEqual(scored("--trajectory", self.file("a.csv", "x"), "no_such_motion")[0], 1)
+
+    def ramp(self, place, half_turn=lambda t: 0, frames=201):
+        """ramp_20_03 with the right x at the end, as CSV."""
+        a = 2 * score.evaluated(score.BY_NAME["ramp_20_03"])[1] / 0.5 ** 2
+        rows = ["time,x,y,z,qw,qx,qy,qz"]
+        for t in (0.5 * k / (frames - 1) for k in range(frames)):
+            rows.append(",".join(map(str, [t, *place(a * t * t / 2, t), math.cos(half_turn(t)), 0, 0, math.sin(half_turn(t))])))
+        return "\n".join(rows) + "\n"
+
+    def test_what_ends_in_the_right_place_by_a_wrong_path_is_refused(self):
+        def verdict_of(*how, **more):
+            return scored("--trajectory", self.file("path.csv", self.ramp(*how, **more)), "ramp_20_03")
+        self.assertEqual(verdict_of(lambda x, t: (x, 0, 0))[0], 0)
+        for words, how in (("y is", [lambda x, t: (x, 5 * t, -3 * t), lambda t: 3 * t]), ("z is", [lambda x, t: (x, 0, -3 * t)]),
+                           ("turn is", [lambda x, t: (x, 0, 0), lambda t: 3 * t]),
+                           ("x is", [lambda x, t: (7 * t if t < 0.4 else x, 0, 0)])):
+            status, text = verdict_of(*how)
+            self.assertEqual((status, f"off its path: {words}" in text), (1, True), text)
+        self.assertIn("no frame from 0 to 0.5 s", verdict_of(lambda x, t: (x, 0, 0), frames=2)[1])
+        for name, key, other in (("pendulum", "position", [0, 0, 5e-3]), ("ramp_tips", "time", 1.1), ("fence", "time", 1.1)):
+            motion = score.BY_NAME[name]
+            frames = score.from_text(run("move", FOLDER / motion["scene"], "--time", motion["time"], "--frames", 401, "--json").stdout)
+            of = score.series(frames)
+            moment = score.measured(motion, of)[1]
+            self.assertIsNone(score.off_path(motion, of, moment), name)
+            for frame in frames[1:]:
+                frame[key] = frame[key] * other if key == "time" else [a + b for a, b in zip(frame[key], other)]
+            self.assertIn("off its path", score.off_path(motion, score.series(frames), moment), name)
+
+    def test_the_format_is_that_of_verify_and_what_is_none_is_said_in_words(self):
+        right = self.ramp(lambda x, t: (x, 0, 0))
+        rows = [row.split(",") for row in right.split()]
+        for text in (right.replace("time,", "t,"), right.replace(",", " , "), "\n".join(",".join(row[:4]) for row in rows),
+                     json.dumps({"frames": [{"time": float(t), "position": [float(x), 0, 0], "quaternion": [2, 0, 0, 0]}
+                                            for t, x, *_ in rows[1:]]})):
+            for words in ([sys.executable, SCORE, "--trajectory", self.file("a", text), "ramp_20_03"],
+                          [TOOL, "verify", FOLDER / "ramp_20_03.toml", "--trajectory", self.file("a", text)]):
+                result = subprocess.run(words, capture_output=True, text=True)
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        for text, said in (("x,y,z\n0,0,0\n", "a.csv: line 1: no column time"), (right.replace(",qz", ",q"), "half a rotation"),
+                           (right.replace("\n0.25,", "\n0.25s,"), "line 102, column time: '0.25s' is no number"),
+                           (right + "0.6,1\n", "line 203: 2 numbers"), ('{"frames": [{"time": 0}, {}]}', "frame 0: position has to be 3")):
+            self.assertIn(said, scored("--trajectory", self.file("a.csv", text), "ramp_20_03")[1])
+        self.assertIn("No such file", scored("--engine", "no_such_engine", "held")[1])
 
     def test_an_engine_of_a_few_lines_is_judged_as_the_page_shows(self):
         status, text = scored("--engine", "python3 fixtures/canonical/toy_engine.py",
