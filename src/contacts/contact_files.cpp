@@ -45,6 +45,14 @@ SparseRows rows_of(const JsonValue& value, const JsonFields& fields, const std::
   return rows;
 }
 
+bool are_same(const SparseRows& A, const SparseRows& B) {
+  const auto same = [](const SparseEntry& a, const SparseEntry& b) {
+    return a.column == b.column && a.value == b.value;
+  };
+  return A.cols == B.cols && A.begins == B.begins &&
+         std::equal(A.entries.begin(), A.entries.end(), B.entries.begin(), same);
+}
+
 /// The parts of a problem by their names, of a file or folder.
 class Parts {
 public:
@@ -83,11 +91,18 @@ public:
   /// The first that is there. A size < 0 may be any.
   const SparseRows& part(const std::vector<std::string>& keys, Index rows, Index cols,
                          const std::string& what) const {
+    std::string first;
     for (const std::string& key : keys) {
       if (!has(key)) continue;
-      const SparseRows& part = parts_.at(key);
+      if (first.empty()) first = key;
+      if (!are_same(parts_.at(key), parts_.at(first)))
+        refuse(desktop::quoted(first) + " and " + desktop::quoted(key) +
+               " are both there and differ, but each is " + what + ": leave one out");
+    }
+    if (!first.empty()) {
+      const SparseRows& part = parts_.at(first);
       if ((rows >= 0 && part.rows() != rows) || (cols >= 0 && part.cols != cols))
-        refuse(desktop::quoted(key) + " is " + std::to_string(part.rows()) + " x " +
+        refuse(desktop::quoted(first) + " is " + std::to_string(part.rows()) + " x " +
                std::to_string(part.cols) + ", but it is " + what +
                (rows < 0 || cols < 0 ? ""
                                      : ": " + std::to_string(rows) + " x " + std::to_string(cols)));
@@ -233,6 +248,10 @@ ContactProblem problem_of(const Parts& parts, bool normal_last) {
                  std::to_string(ContactSettings::most_rows) + " are solved within a gigabyte");
   problem.mu = parts.vector({"mu"}, k, friction);
   if (parts.has("M")) {
+    for (const char* key : {"W", "b", "g"})
+      if (parts.has(key))
+        parts.refuse(desktop::quoted(key) + " beside \"M\": W and b come from M, H, f and w, so "
+                                            "leave out one or the other");
     condense(parts, n, problem);
   } else {
     problem.W = parts.part({"W", "G"}, n, n, "the Delassus matrix, three rows for each of \"mu\"");

@@ -24,21 +24,46 @@ Vector3d nearest_in_cone(const Vector3d& y, double mu) {
   return point;
 }
 
-/// The laws of a contact, of force and velocity near 1. Slower than `slow` nothing slips.
-Sizes laws_broken(const Vector3d& r, const Vector3d& u, double mu, double slow) {
+/// Of force and velocity near 1, told from each other by rounding; what slips within `tolerance`
+/// sticks where friction bears it.
+ForceMode mode_of(const Vector3d& r, const Vector3d& u, double mu, double tolerance) {
+  if (r[0] <= std::max(u[0], ContactSettings::rounding)) return ForceMode::open;
+  const double speed = u.tail<2>().norm();
+  const bool is_borne = speed <= tolerance && (r - u).tail<2>().norm() <= mu * r[0];
+  return speed <= ContactSettings::rounding || is_borne ? ForceMode::stick : ForceMode::slip;
+}
+
+/// The laws of a contact, of force and velocity near 1. Both are `known_to` as much, by which
+/// directions may be off.
+Sizes laws_broken(const Vector3d& r, const Vector3d& u, double mu, double known_to, bool may_slip) {
   Sizes size = Sizes::Zero();
   const auto rt = r.tail<2>(), ut = u.tail<2>();
   const double friction = rt.norm(), speed = ut.norm(), limit = mu * std::max(r[0], 0.0);
   size[0] = std::abs(std::min(r[0], u[0]));
   size[1] = std::max(0.0, friction - limit);
-  if (speed > slow && limit > slow) {
+  if (may_slip && speed > known_to && limit > known_to) {
     const double across = std::abs(rt[0] * ut[1] - rt[1] * ut[0]);
-    const double angle = friction > slow ? std::atan2(across, -rt.dot(ut)) : 0; // 0 has none
-    size[2] = std::max(angle, (limit - friction) / limit);
+    const double angle = friction > known_to ? std::atan2(across, -rt.dot(ut)) : 0; // 0 has none
+    const double broken = std::max(angle, (limit - friction) / limit);
+    if (broken > std::asin(known_to / std::min(speed, limit))) size[2] = broken;
   }
   const Vector3d dual = u + Vector3d(mu * speed, 0, 0);
   size[3] = (r - nearest_in_cone(r - dual, mu)).norm();
   return size;
+}
+
+/// What the last digit of printed forces stands for, as a part of them.
+double last_digit(const VectorXd& r) {
+  double digit = 1;
+  for (const double x : r) {
+    const double scale = x == 0 ? 1 : std::pow(10, std::floor(std::log10(std::abs(x))));
+    const auto is_whole = [&] {
+      const double digits = std::abs(x) / scale / digit;
+      return std::abs(digits - std::round(digits)) <= ContactSettings::rounding * digits;
+    };
+    while (digit > ContactSettings::solved && !is_whole()) digit /= 10;
+  }
+  return digit;
 }
 
 /// l of given forces: from the equality where it has one, else as what presses does not part; u
@@ -48,10 +73,10 @@ VectorXd fitted_l(const ContactProblem& p, const VectorXd& r, const VectorXd& u,
   const Index e = p.s.size();
   const VectorXd lacks = product(p.V.transpose(), r) + p.s;
   std::vector<Index> rows;
-  const double small = usual_contact_tolerance * r.cwiseAbs().maxCoeff();
   for (Index c = 0; c < p.contacts(); ++c) {
     const Vector3d f = r.segment<3>(3 * c);
-    if (f[0] <= small) continue;
+    const double small = usual_contact_tolerance * sizes.segment<3>(3 * c).maxCoeff();
+    if (const double w = p.W(3 * c, 3 * c); f[0] <= 0 || (w > 0 && w * f[0] <= small)) continue;
     rows.push_back(3 * c);
     if (f.tail<2>().norm() > (1 - usual_contact_tolerance) * p.mu[c] * f[0]) continue;
     rows.insert(rows.end(), {3 * c + 1, 3 * c + 2});
@@ -79,6 +104,7 @@ std::string contact_hint(const ContactProblem& p, const ContactForces& answer) {
   const auto worst = [](const ContactForces& of) {
     return of.worst[static_cast<Index>(ContactLaw::natural_map)].size;
   };
+  if (answer.r.isZero(0)) return ""; // forces of 0 are the same in every order
   const double enough = std::max(answer.tolerance, ContactSettings::turned * worst(answer));
   const auto fits = [&](const ContactProblem& problem, const VectorXd& r) {
     return worst(judge_contacts(problem, r, answer.tolerance)) <= enough;
@@ -104,39 +130,42 @@ ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double 
   answer.tolerance = tolerance;
   answer.r = r;
   const Index n = p.b.size(), k = p.contacts();
-  VectorXd sizes = p.b.cwiseAbs(), units = VectorXd::Ones(k), diagonal = VectorXd::Zero(n);
+  VectorXd sizes = p.b.cwiseAbs(), own = sizes, diagonal = VectorXd::Zero(n);
   answer.u = p.b;
   for (Index i = 0; i < n; ++i)
     for (const SparseEntry& entry : p.W.row(i)) {
       const double term = entry.value * r[entry.column];
       answer.u[i] += term;
       sizes[i] += std::abs(term);
+      if (entry.column / 3 == i / 3) own[i] += std::abs(term);
       if (entry.column == i) diagonal[i] = entry.value;
     }
   answer.l = l != nullptr ? *l : fitted_l(p, r, answer.u, sizes);
   answer.u += product(p.V, answer.l);
   sizes += product(p.V.cwiseAbs(), answer.l.cwiseAbs());
-  // A contact's forces are measured beside the largest, both by what moves their contacts.
-  double largest = 0;
-  for (Index c = 0; c < k; ++c) {
-    const double w = diagonal.segment<3>(3 * c).maxCoeff();
-    if (w > 0) units[c] = 1 / std::sqrt(w);
-    largest = std::max(largest, r.segment<3>(3 * c).norm() / units[c]);
-  }
-  const double moves = tolerance > ContactSettings::slips ? tolerance : ContactSettings::slips;
+  // Velocities are known to the tolerance of forces, or of exact ones to rounding.
+  const double known_to =
+      tolerance > ContactSettings::solved ? tolerance : ContactSettings::rounding;
+  const double open = std::max(ContactSettings::solved, ContactSettings::digits * last_digit(r)),
+               all = std::min(1.0, open / tolerance);
   const auto note = [&](Index law, double size, Index where) {
     if (size <= answer.worst[law].size) return; // never of nan: forces are finite
     answer.worst[law] = {size, where};
   };
   for (Index c = 0; c < k; ++c) {
-    const double size = sizes.segment<3>(3 * c).maxCoeff();
-    const Vector3d f = r.segment<3>(3 * c) / (largest > 0 ? largest * units[c] : 1),
+    // Velocities beside b and what the contact's own force does, and all terms of its rows as far
+    // as their digits leave them open; forces beside what makes such velocities.
+    const double size = std::max(own.segment<3>(3 * c).maxCoeff(),
+                                 all * sizes.segment<3>(3 * c).maxCoeff()),
+                 w = diagonal.segment<3>(3 * c).maxCoeff();
+    const Vector3d given = r.segment<3>(3 * c);
+    const double unit = std::max(w > 0 ? size / w : 0, given.norm());
+    const Vector3d f = given / (unit > 0 ? unit : 1),
                    v = answer.u.segment<3>(3 * c) / (size > 0 ? size : 1);
-    answer.broken.push_back(laws_broken(f, v, p.mu[c], moves));
+    answer.modes.push_back(mode_of(f, v, p.mu[c], tolerance));
+    answer.broken.push_back(
+        laws_broken(f, v, p.mu[c], known_to, answer.modes.back() != ForceMode::stick));
     for (Index law = 0; law < contact_law_count; ++law) note(law, answer.broken.back()[law], c);
-    answer.modes.push_back(f[0] <= tolerance && f.tail<2>().norm() <= tolerance ? ForceMode::open
-                           : v.tail<2>().norm() <= moves                        ? ForceMode::stick
-                                                                                : ForceMode::slip);
   }
   for (Index a = 0; a < p.s.size(); ++a) {
     const double size =

@@ -31,10 +31,11 @@ struct ContactProblem {
 enum class ForceMode { open, stick, slip };
 constexpr const char* force_mode_texts[] = {"open", "stick", "slip"};
 
-/// The laws, each by how much it is broken: parts of the largest terms of a contact's rows and of
-/// the forces about it. `dissipation` is the angle (rad) of friction off the slip, or what its size
-/// lacks as a part of mu r_n; `natural_map` is |r - P(r - u - mu |u_t| n)|, P the nearest point of
-/// the cone (De Saxce's form of all laws in one).
+/// The laws, each by how much it is broken: velocities as parts of the contact's b and of what its
+/// own force does, or of all terms of its rows where the forces' digits leave these open; forces as
+/// parts of what makes such velocities. `dissipation` is the angle (rad) of friction off the slip,
+/// or what its size lacks as a part of mu r_n; `natural_map` is |r - P(r - u - mu |u_t| n)|, P the
+/// nearest point of the cone (De Saxce's form of all laws in one).
 enum class ContactLaw { signorini, cone, dissipation, natural_map, equalities };
 constexpr Index contact_law_count = 5;
 
