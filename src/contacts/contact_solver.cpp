@@ -39,6 +39,7 @@ private:
   VectorXd x_, l_;                // where we are
   VectorXd q_;                    // b and what a step's start adds: velocities are W x + q
   double tau_ = 0, smoother_ = 1; // smoothing; that of friction, times tau
+  std::vector<ForceMode> held_;   // modes that the laws are held to, if any
   RowMatrix J_;                   // F' = (I - P) + P W beside -F
   ContactForces best_;
 
@@ -51,12 +52,21 @@ private:
   /// The law of one contact as a projection, where x - v leads: r_n = max(0, y_n), friction within
   /// the disc of mu r_n. Smoothed by tau (Chen, Harker, Kanzow, Smale): then r_n u_n = tau^2.
   Vector3d projected(Index c, const Vector3d& y, Matrix3d* derivative = nullptr) const;
+  /// The same where its mode is known.
+  static Vector3d projected(ForceMode mode, double mu, const Vector3d& y, Matrix3d* derivative);
+  bool is_closed(Index c, const VectorXd& v) const {
+    return held_.empty() ? tau_ > 0 || x_[3 * c] - v[3 * c] > 0
+                         : held_[static_cast<std::size_t>(c)] != ForceMode::open;
+  }
+  VectorXd in_cones(VectorXd x) const;
   VectorXd residual(const VectorXd& x, const VectorXd& v) const;
   bool settle();
   std::optional<VectorXd> newton_step(const VectorXd& v, const VectorXd& F);
   void note();
   void polish();
   void follow_path();
+  std::vector<ForceMode> modes() const;
+  void begin_at_pyramids(Index facets);
 };
 
 double size_of(const ContactForces& answer) {
@@ -117,6 +127,7 @@ VectorXd ContactSolver::velocity(const VectorXd& x) const {
 }
 
 Vector3d ContactSolver::projected(Index c, const Vector3d& y, Matrix3d* derivative) const {
+  if (!held_.empty()) return projected(held_[static_cast<std::size_t>(c)], mu_[c], y, derivative);
   const double root = std::hypot(y[0], 2 * tau_), t = y.tail<2>().norm();
   const double n = root > 0 ? (y[0] > 0 ? (y[0] + root) / 2 : 2 * tau_ * tau_ / (root - y[0])) : 0;
   const double most = mu_[c] * n, gap = std::hypot(most - t, 2 * smoother_ * tau_);
@@ -138,6 +149,29 @@ Vector3d ContactSolver::projected(Index c, const Vector3d& y, Matrix3d* derivati
   return {n, y[1] * share, y[2] * share};
 }
 
+Vector3d ContactSolver::projected(ForceMode mode, double mu, const Vector3d& y,
+                                  Matrix3d* derivative) {
+  Matrix3d P = Matrix3d::Identity();
+  Vector3d r = y;
+  if (mode == ForceMode::open) {
+    P.setZero();
+    r.setZero();
+  } else if (const double t = y.tail<2>().norm(); mode == ForceMode::slip && t > 0) {
+    const Eigen::Vector2d along = y.tail<2>() / t;
+    r.tail<2>() = mu * y[0] * along;
+    P.bottomLeftCorner<2, 1>() = mu * along;
+    P.bottomRightCorner<2, 2>() =
+        mu * y[0] / t * (Eigen::Matrix2d::Identity() - along * along.transpose());
+  }
+  if (derivative != nullptr) *derivative = P;
+  return r;
+}
+
+VectorXd ContactSolver::in_cones(VectorXd x) const {
+  for (Index c = 0; c < k_; ++c) x.segment<3>(3 * c) = projected(c, x.segment<3>(3 * c));
+  return x;
+}
+
 VectorXd ContactSolver::residual(const VectorXd& x, const VectorXd& v) const {
   VectorXd F = x;
   for (Index c = 0; c < k_; ++c)
@@ -150,7 +184,7 @@ std::optional<VectorXd> ContactSolver::newton_step(const VectorXd& v, const Vect
   VectorXd dx = VectorXd::Zero(3 * k_);
   std::vector<Index> place(static_cast<std::size_t>(k_), -1), active;
   for (Index c = 0; c < k_; ++c) {
-    if (tau_ > 0 || x_[3 * c] - v[3 * c] > 0) {
+    if (is_closed(c, v)) {
       place[static_cast<std::size_t>(c)] = 3 * static_cast<Index>(active.size());
       active.push_back(c);
     } else {
@@ -181,14 +215,16 @@ std::optional<VectorXd> ContactSolver::newton_step(const VectorXd& v, const Vect
   return dx;
 }
 
-/// Newton's method on the smoothed laws. Where no shorter step gains anything the whole one is
-/// taken: on the smoothed path that leads over folds.
+/// Newton's method on the smoothed laws. A step turns friction along a tangent of its circle, far
+/// outside of which the residual of a slow slip is nothing: it goes back to the cones. Where no
+/// shorter step gains anything the whole one is taken: on the smoothed path that leads over folds.
 bool ContactSolver::settle() {
   VectorXd v = velocity(x_), F = residual(x_, v);
-  const auto go = [&](const VectorXd& x, double most) {
+  const auto go = [&](VectorXd x, double most) {
+    if (tau_ == 0) x = in_cones(x);
     VectorXd at_x = velocity(x), left = residual(x, at_x);
     if (!(left.norm() < most)) return false;
-    x_ = x;
+    x_.swap(x);
     v.swap(at_x);
     F.swap(left);
     return true;
@@ -211,9 +247,7 @@ bool ContactSolver::settle() {
 
 /// Judges where we are, in given units, and keeps the best.
 void ContactSolver::note() {
-  VectorXd r(3 * k_);
-  for (Index c = 0; c < k_; ++c) r.segment<3>(3 * c) = projected(c, x_.segment<3>(3 * c));
-  r = d_.cwiseProduct(r) * unit_;
+  const VectorXd r = d_.cwiseProduct(in_cones(x_)) * unit_;
   const VectorXd l = e_.cwiseProduct(multipliers()) * unit_;
   ContactForces now = judge_contacts(problem_, r, Settings::solved, &l);
   if (best_.r.size() == 0 || size_of(now) < size_of(best_)) best_ = std::move(now);
@@ -252,12 +286,53 @@ void ContactSolver::follow_path() {
   }
 }
 
+/// The modes that the laws lead to from where we are.
+std::vector<ForceMode> ContactSolver::modes() const {
+  std::vector<ForceMode> result;
+  const VectorXd y = x_ - velocity(x_);
+  for (Index c = 0; c < k_; ++c)
+    result.push_back(y[3 * c] <= 0                                         ? ForceMode::open
+                     : y.segment<2>(3 * c + 1).norm() <= mu_[c] * y[3 * c] ? ForceMode::stick
+                                                                           : ForceMode::slip);
+  return result;
+}
+
+/// Pyramids' answers have mostly the modes of round cones, however long the path there is. With
+/// these held, and whole steps, Newton's method turns the friction; then come the modes there.
+void ContactSolver::begin_at_pyramids(Index facets) {
+  const ContactForces start = solve_contact_pyramids(problem_, facets);
+  x_ = start.r.cwiseQuotient(d_) / unit_;
+  l_ = start.l.cwiseQuotient(e_) / unit_;
+  tau_ = 0;
+  std::vector<ForceMode> next = start.modes;
+  for (int round = 0; round < Settings::patience && next != held_; ++round) {
+    held_ = next;
+    bool is_there = false;
+    for (int step = 0; step < Settings::newton_steps && !is_there; ++step) {
+      recenter();
+      const VectorXd v = velocity(x_);
+      const auto dx = newton_step(v, residual(x_, v));
+      if (!dx) break;
+      x_ = in_cones(x_ + *dx);
+      is_there = dx->norm() <= Settings::eps * x_.norm();
+    }
+    next = modes();
+  }
+  held_.clear();
+}
+
 ContactForces ContactSolver::solve() {
   polish();
   for (const double smoother : Settings::smoothers) {
     if (best_.is_good) break;
     smoother_ = smoother;
     follow_path();
+    polish();
+  }
+  for (Index facets = Settings::fewest_facets;
+       !best_.is_good && facets <= Settings::most_facets && facets * k_ <= Settings::pyramid_sides;
+       facets *= 2) {
+    begin_at_pyramids(facets);
     polish();
   }
   return best_;

@@ -138,12 +138,26 @@ TEST_CASE("of two thousand forces with one of them changed none is accepted") {
     if (!answer.is_good || !(answer.r.maxCoeff() > 0)) continue;
     CHECK(judge_contacts(problem, answer.r, usual_contact_tolerance).is_good);
     for (int change = 0; change < 40; ++change, ++told) {
-      const VectorXd r = changed(random, problem, answer);
-      CAPTURE((r - answer.r).cwiseAbs().maxCoeff() / answer.r.maxCoeff());
-      CHECK((!judge_contacts(problem, r, usual_contact_tolerance).is_good || r == answer.r));
+      const VectorXd r = changed(random, problem, answer), change_of_r = r - answer.r;
+      Index row = 0;
+      change_of_r.cwiseAbs().maxCoeff(&row);
+      const double moved = std::abs(problem.W(row, row) * change_of_r[row]);
+      CAPTURE(moved);
+      if (moved <= 1e-5 * problem.b.segment<3>(row - row % 3).cwiseAbs().maxCoeff()) continue;
+      CHECK_FALSE(judge_contacts(problem, r, usual_contact_tolerance).is_good);
     }
   }
   CHECK(told >= 1000);
+}
+
+TEST_CASE("heaps with masses up to a million have an answer where no path leads there") {
+  Random random(9);
+  int solved = 0;
+  for (int k = 0; k < 100; ++k) {
+    const ContactProblem problem = heap(random, 1 + k % 10, 1 + k % 12, 1e6);
+    solved += solve_contacts(problem).is_good;
+  }
+  CHECK(solved == 100); // 99 without those that begin at pyramids
 }
 
 TEST_CASE("friction is against every slip beyond rounding, and modes are what velocities say") {
