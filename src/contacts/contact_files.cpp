@@ -29,7 +29,10 @@ SparseRows rows_of(const JsonValue& value, const JsonFields& fields, const std::
   for (const JsonValue& entry : *array) {
     const JsonArray* const row = entry.as<JsonArray>();
     const auto width = row != nullptr ? static_cast<Index>(row->size()) : 1;
-    if (rows.rows() == 0) rows.cols = width;
+    if (rows.rows() == 0) {
+      rows.cols = width;
+      rows.entries.reserve(array->size() * static_cast<std::size_t>(width));
+    }
     if (width != rows.cols)
       fields.refuse(entry, "row " + std::to_string(rows.rows() + 1) + " of " +
                                desktop::quoted(key) + " has " + counted(width, "number") +
@@ -287,7 +290,9 @@ ContactProblem parse_contacts(const std::string& text, const std::string& name, 
 ContactProblem read_contacts(const std::string& path, bool normal_last) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return problem_of(Parts(path), normal_last);
-  return parse_contacts(read_text_file(path, limits::answer_bytes), file_label(path), normal_last);
+  const std::string name = file_label(path);
+  const JsonValue root = parse_json(read_text_file(path, limits::answer_bytes), name);
+  return problem_of(Parts(root, name), normal_last); // the text is gone before the rows come
 }
 
 void read_contact_forces(const std::string& path, ContactProblem& problem) {
