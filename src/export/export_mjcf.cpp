@@ -1,6 +1,7 @@
 // MuJoCo's XML.
 #include "draw/markup.hpp"
 #include "export/rigid_scene.hpp"
+#include "export/settings.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "text/wording.hpp"
 
@@ -75,6 +76,16 @@ std::string body_text(const RigidScene& scene, Index b) {
   return text + ends;
 }
 
+/// A force that speeds the mass up by itself, and a servo of the speed, whose reference is its
+/// activation: it grows by the control, the acceleration.
+std::string servo(const std::string& joint, const RigidSlide& slide) {
+  const double gain = ExportSettings().servo * slide.mass;
+  return "    <general name=" + attribute(joint) + " joint=" + attribute(joint) +
+         " dyntype=\"integrator\" biastype=\"affine\" gainprm=" + attribute(shown(gain)) +
+         " biasprm=" + attribute(Vector3<double>(slide.mass * slide.acceleration, 0, -gain)) +
+         "/>\n";
+}
+
 std::string pairs(const RigidScene& scene) {
   std::string text;
   for (const RigidBody& body : scene.bodies) {
@@ -95,7 +106,7 @@ std::string pairs(const RigidScene& scene) {
 
 std::string mjcf_text(const SceneFile& file) {
   const RigidScene scene = rigid_scene(file);
-  std::string bodies, motors, equalities, forces, speeds;
+  std::string bodies, motors, servos, equalities, forces, accelerations, references, speeds;
   const Vector6<double>& start = file.start;
   const std::vector<double> object_speeds =
       file.planar ? std::vector<double>{start[0], start[1], start[5]}
@@ -109,7 +120,11 @@ std::string mjcf_text(const SceneFile& file) {
       speeds += " " + shown(slides[k].velocity);
       if (slides[k].force != 0) {
         motors += "    <motor name=" + attribute(joint) + " joint=" + attribute(joint) + "/>\n";
-        forces += (forces.empty() ? "" : " ") + shown(slides[k].force);
+        forces += " " + shown(slides[k].force);
+      } else if (slides[k].is_prescribed) {
+        servos += servo(joint, slides[k]);
+        accelerations += " " + shown(slides[k].acceleration);
+        references += " " + shown(slides[k].velocity);
       }
       if (slides[k].leader == b) continue;
       const std::size_t last =
@@ -122,17 +137,22 @@ std::string mjcf_text(const SceneFile& file) {
   const auto section = [](const std::string& name, const std::string& text) {
     return text.empty() ? "" : "  <" + name + ">\n" + text + "  </" + name + ">\n";
   };
+  const auto values = [](const std::string& name, const std::string& list) {
+    return list.empty() ? "" : " " + name + "=" + attribute(list.substr(1));
+  };
   std::string sensors;
   for (const char* sensor : {"framepos", "framequat", "framelinvel", "frameangvel"})
     sensors += "    <" + std::string(sensor) + " objtype=\"body\" objname=\"object\"/>\n";
   return "<mujoco model=" + attribute(file.title.empty() ? "scene" : file.title) +
          ">\n  <option gravity=" + attribute(file.gravity) + " cone=\"elliptic\"/>\n" +
+         "  <statistic meaninertia=" + attribute(shown(file.object.mass)) + "/>\n" +
          "  <default><geom contype=\"0\" conaffinity=\"0\"/></default>\n" +
          section("worldbody", object_text(scene) + bodies) + section("contact", pairs(scene)) +
-         section("equality", equalities) + section("actuator", motors) +
+         section("equality", equalities) + section("actuator", motors + servos) +
          section("sensor", sensors) +
          section("keyframe", "    <key name=\"start\" qvel=\"" + speeds + "\"" +
-                                 (forces.empty() ? "" : " ctrl=\"" + forces + "\"") + "/>\n") +
+                                 values("ctrl", forces + accelerations) +
+                                 values("act", references) + "/>\n") +
          "</mujoco>\n";
 }
 

@@ -89,7 +89,7 @@ void add_slides(const SceneFile& file, Index b, RigidBody& rigid) {
   if (fast > 0) {
     const bool is_velocity = file.strokes[static_cast<std::size_t>(b)].is_velocity;
     rigid.slides.push_back(
-        {motion / fast, heavy, is_velocity ? fast : 0, is_velocity ? 0 : heavy * fast, b, 1});
+        {motion / fast, heavy, is_velocity ? fast : 0, 0, is_velocity ? 0 : fast, true, b, 1});
   }
   for (const Drive<double>& drive : file.drives) {
     if (drive.body != b) continue;
@@ -100,7 +100,7 @@ void add_slides(const SceneFile& file, Index b, RigidBody& rigid) {
     rigid.slides.push_back(
         {drive.twist.head<3>() / reach,
          actuator.inertia > 0 ? actuator.inertia : settings.finger * file.object.mass, 0,
-         leader->body == b ? actuator.force / reach : 0, leader->body, reach / led});
+         leader->body == b ? actuator.force / reach : 0, 0, false, leader->body, reach / led});
   }
 }
 

@@ -30,10 +30,12 @@ struct RigidShape {
 struct RigidSlide {
   Vector3<double> axis;
   double mass;
-  double velocity; ///< m/s at the start
-  double force;    ///< N along the axis
-  Index leader;    ///< the body that it moves with by one actuator, or itself
-  double ratio;    ///< way over the leader's
+  double velocity;     ///< m/s at the start
+  double force;        ///< N along the axis
+  double acceleration; ///< m/s^2
+  bool is_prescribed;  ///< it goes so whatever presses on it
+  Index leader;        ///< the body that it moves with by one actuator, or itself
+  double ratio;        ///< way over the leader's
 };
 
 struct RigidBody {

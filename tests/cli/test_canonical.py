@@ -16,6 +16,28 @@ spec = importlib.util.spec_from_file_location("score", SCORE)
 score = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(score)
 
+MUJOCO = """
+from types import SimpleNamespace as Record
+class Array(list):
+    T = property(lambda self: self)
+    copy = ravel = lambda self: Array(self)
+    reshape = lambda self, *shape: self
+    __matmul__ = lambda self, other: other
+    __sub__ = lambda self, other: Array(a - b for a, b in zip(self, other))
+class MjModel(Record):
+    from_xml_path = staticmethod(lambda path: MjModel(nkey=1, key=lambda name: Record(id=["start"].index(name)), opt=Record(timestep=2e-3)))
+class MjData(Record):
+    body = lambda self, name: {"object": Record(xipos=Array([self.x, 0.3, 0]), xmat=Array([1, 0, 0, 0, 1, 0, 0, 0, 1]))}[name]
+    __init__ = lambda self, model: super().__init__(time=0, speed=None, x=0.2)
+def mj_resetDataKeyframe(model, data, key):
+    data.speed = 0
+def mj_kinematics(model, data):
+    pass
+def mj_step(model, data):
+    h, a = model.opt.timestep, ACCELERATION
+    data.x, data.speed, data.time = data.x + h * data.speed + h * h * a / 2, data.speed + h * a, data.time + h
+"""
+
 
 def scored(*words):
     result = subprocess.run([sys.executable, SCORE, *map(str, words)], capture_output=True, text=True, cwd=SOURCE)
@@ -113,6 +135,15 @@ class Canonical(ToolTest):
                            (right + "0.6,1\n", "line 203: 2 numbers"), ('{"frames": [{"time": 0}, {}]}', "frame 0: position has to be 3")):
             self.assertIn(said, scored("--trajectory", self.file("a.csv", text), "ramp_20_03")[1])
         self.assertIn("No such file", scored("--engine", "no_such_engine", "held")[1])
+
+    def test_the_pages_script_for_mujoco_writes_what_the_judge_reads(self):
+        """With a mujoco module of its own here, which slides down the ramp: names and calls are not checked."""
+        code = re.search(r"```python\n(import mujoco\n.*?)```", (SOURCE / "docs/check/motions.md").read_text(), re.S)[1]
+        speeds_up = 2 * score.evaluated(score.BY_NAME["ramp_20_03"])[1] / 0.5 ** 2
+        self.file("mujoco.py", MUJOCO.replace("ACCELERATION", str(speeds_up)))
+        subprocess.run([sys.executable, self.file("log.py", code)], cwd=self.path, check=True)
+        status, text = scored("--trajectory", self.path / "motion.csv", "ramp_20_03")
+        self.assertEqual(status, 0, text)
 
     def test_an_engine_of_a_few_lines_is_judged_as_the_page_shows(self):
         status, text = scored("--engine", "python3 fixtures/canonical/toy_engine.py",

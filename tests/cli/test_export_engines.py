@@ -65,7 +65,17 @@ class Engines(ToolTest):
         self.near(numbers(carrier.find("joint").get("axis")), [1, 0, 0])
         self.near(numbers(carrier.find("body/joint").get("axis")), [0, -1, 0])
         mass = float(carrier.find("inertial").get("mass"))
-        self.near(numbers(root.find("keyframe/key").get("ctrl")), [mass * 0.2, 5])
+        self.near(numbers(root.find("keyframe/key").get("ctrl")), [5, 0.2])
+        self.near(numbers(root.find("keyframe/key").get("act")), [0])
+        servo = root.find("actuator/general[@joint='palm_carrier']")  # force = ma + k (activation - speed)
+        gain = float(servo.get("gainprm"))
+        self.near(numbers(servo.get("biasprm")), [mass * 0.2, 0, -gain])
+        self.assertLess(20 / gain, 1e-7)  # m/s that a grip of 20 N takes from its speed
+        root = self.export(SOURCE / "fixtures/canonical/wedge.toml", "mjcf")
+        self.near(numbers(root.find("keyframe/key").get("act")), [0.05])
+        self.near(numbers(root.find("keyframe/key").get("ctrl")), [0])
+        root = self.export(SOURCE / "fixtures/scenes/straight_slide.toml", "mjcf")
+        self.assertEqual(len(root.findall("actuator/general")), 1)
         root = self.export(SOURCE / "fixtures/scenes/rolling.toml", "mjcf")  # parallel jaws: twice the grip, one joint
         self.assertEqual(root.find("equality/joint").get("polycoef"), "0 1 0 0 0")
         self.near(numbers(root.find("keyframe/key").get("ctrl"))[:1], [8])

@@ -114,6 +114,11 @@ public:
       const std::size_t motor = forces_.size();
       forces_[e->Attribute("joint")] = controls.at(motor);
     });
+    const std::size_t motors = forces_.size();
+    for_each(root->FirstChildElement("actuator"), "general", [&](const tinyxml2::XMLElement* e) {
+      const std::size_t servo = motors + accelerations_.size();
+      accelerations_[e->Attribute("joint")] = controls.at(servo);
+    });
     for_each(root->FirstChildElement("equality"), "joint", [&](const tinyxml2::XMLElement* e) {
       leader_[e->Attribute("joint1")] = e->Attribute("joint2");
       followers_[e->Attribute("joint2")] += numbers(e, "polycoef").at(1);
@@ -167,7 +172,7 @@ private:
       const double mass = own->DoubleAttribute("mass");
       if (mass > heavy * object_mass) {
         body.velocity += speed * axis;
-        body.acceleration += force / mass * axis;
+        body.acceleration += accelerations_[name] * axis;
       } else {
         if (body.mass > 0) throw std::runtime_error("no finger of two slides: " + body.name);
         body.axis = axis;
@@ -213,6 +218,7 @@ private:
   std::vector<double> speeds_;
   std::size_t next_speed_ = 0;
   std::map<std::string, double> forces_, followers_; ///< by a motor's joint: N; sum of the ratios
+  std::map<std::string, double> accelerations_;      ///< m/s^2, by a servo's joint
   std::map<std::string, std::string> leader_;        ///< by a coupled joint
 };
 

@@ -10,6 +10,10 @@ import { performance } from "node:perf_hooks";
 import { pathToFileURL } from "node:url";
 
 const words = process.argv.slice(2);
+if (words.length < 2 || !process.env.LCPUSH) {
+  console.error("LCPUSH has to name the tool: LCPUSH=build/release/lcpush node mujoco.mjs [OPTION ..] SCENE SECONDS");
+  process.exit(1);
+}
 const [scene, seconds] = words.slice(-2);
 const { step = "5e-5", noslip = "0", timeconst } = Object.fromEntries(words.slice(0, -2).map((word) => word.split("=")));
 const frames = 400;
