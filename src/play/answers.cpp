@@ -42,15 +42,17 @@ SceneFile small_scene(std::string_view text, Strokes strokes = Strokes::first) {
   return file;
 }
 
-/// The grip over the least with which statics holds the object, [T.12]; of pads it is at most that.
+/// The grip over the least with which statics holds the object, [T.12]; of pads of several points
+/// it is at most that.
 std::string margin_of_grip(const SceneFile& file) {
   const SceneFile hand = hand_at_rest(file);
   if (hand.bodies.empty()) return {};
   const GripStatics statics(hand);
   const std::optional<double> least = least_factor(statics);
   if (!least || !(*least > 0)) return {};
+  const bool is_bound = statics.has_pads() && hand.points.size() > hand.bodies.size();
   return ", \"grip_margin\": " + shown(1 / *least) +
-         ", \"is_bound\": " + (statics.has_pads() ? "true" : "false");
+         ", \"is_bound\": " + (is_bound ? "true" : "false");
 }
 
 /// While a hand drags, only what is looked at.
