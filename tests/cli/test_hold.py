@@ -197,7 +197,7 @@ class ClosedForms(unittest.TestCase):
     def test_sides_that_are_alike_bear_alike(self):
         for name, axes in (("rolling_hard_grip", ((1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1))),
                            ("planar_pusher", ((1, 0, 0), (-1, 0, 0)))):
-            answer = json.loads(run(SCENES / f"{name}.toml", "--json").stdout)
+            answer = json.loads(run(SCENES / f"{name}.toml", "--json", "--seconds", "600").stdout)
             most = [limit(answer, "moment", *axis) for axis in axes]
             self.assertLess(max(most) / min(most), 1.01, (name, most))
 
@@ -380,7 +380,7 @@ class Words(ToolTest):
 
     def test_text_is_short_and_begins_with_a_sentence(self):
         for path in sorted(SCENES.glob("*.toml"))[::1 if ALL else 3]:
-            result = run(path)
+            result = run(path, "--seconds", "600")
             self.assertLessEqual(result.stdout.count("\n"), 20, path)
             self.assertLessEqual(max(map(len, result.stdout.split("\n"))), 80, path)
             self.assertRegex(result.stdout, r"Held|Not held|No grip force holds")
