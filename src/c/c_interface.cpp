@@ -201,8 +201,8 @@ template <class S> S closing_of(const CPush<S>& push, Index actuator) {
 }
 
 /// `ask(hand)` of the fingers at rest.
-template <class Push, class CHeld, class Ask>
-lcpush_status hold(Push& push, CHeld& out, const Ask& ask) {
+template <class Push, class CHeld, class Question>
+lcpush_status hold(Push& push, CHeld& out, const Question& ask) {
   const Held<typename Push::Scalar> held = push.hold(ask);
   out.value = held.value;
   write(held.twist, out.twist);

@@ -230,7 +230,7 @@ public:
   }
 
   /// `ask(hand)` of the fingers at rest, in the solver's memory.
-  template <class Ask> Held<S> hold(const Ask& ask) {
+  template <class Question> Held<S> hold(const Question& ask) {
     if (!described_) return {refuse(Mistake::not_described)};
     if (is_under_way()) status_ = Status::running;
     forget_solve();

@@ -11,14 +11,14 @@ namespace lcpush::desktop {
 namespace {
 
 /// What `break` finds at one value.
-struct Look {
+struct Sample {
   double value = 0;
   Status status = Status::bad_input;
   bool breaks = false, sticks = false;
   ConeSlice::End there;
   std::vector<Mode> modes;
 
-  bool is_like(const Look& other) const {
+  bool is_like(const Sample& other) const {
     return status == other.status && breaks == other.breaks && sticks == other.sticks;
   }
 };
@@ -55,40 +55,40 @@ private:
     return slice_.stop == Stop::none;
   }
 
-  Look look(double value) const {
+  Sample sample_at(double value) const {
     const SceneFile file = scene_.at({slice_.variation.parameter}, {value});
     Push push(file);
     PushOptions options;
     options.other_covers = 0;
     options.explain_jams = false;
     options.study_existence = false;
-    Look look;
-    look.value = value;
-    if (!(push_size(file.view()) > 0)) return look;
+    Sample found;
+    found.value = value;
+    if (!(push_size(file.view()) > 0)) return found;
     const BreakReport report = push.find_breaking(pusher_, options);
-    look.status = report.status;
-    if (look.status != Status::solved) return look;
-    look.sticks = look.breaks = report.breaking.breaks;
+    found.status = report.status;
+    if (found.status != Status::solved) return found;
+    found.sticks = found.breaks = report.breaking.breaks;
     for (const Index i : points_of(file.body(pusher_)))
-      look.sticks = look.sticks && push.last_answer().contacts[i].mode == Mode::stick;
+      found.sticks = found.sticks && push.last_answer().contacts[i].mode == Mode::stick;
     for (Index i = 0; i < static_cast<Index>(file.points.size()); ++i)
-      look.modes.push_back(push.last_answer().contacts[i].mode);
-    look.there = {report.breaking.twist, report.breaking.force};
-    stay_in_plane(push.scene(), look.there.wrench); // what keeps it there is no balance's
-    return look;
+      found.modes.push_back(push.last_answer().contacts[i].mode);
+    found.there = {report.breaking.twist, report.breaking.force};
+    stay_in_plane(push.scene(), found.there.wrench); // what keeps it there is no balance's
+    return found;
   }
 
   void add(const SweepSegment& segment) {
     const double by = cone_settings.inside * (segment.to - segment.from);
     ConeSlice::Range range;
-    const Look middle = look((segment.from + segment.to) / 2);
+    const Sample middle = sample_at((segment.from + segment.to) / 2);
     range.status = middle.status;
     range.breaks = middle.breaks;
     range.sticks = middle.sticks;
     range.from = segment.from;
     range.to = segment.to;
-    range.at_from = look(segment.from + by).there;
-    range.at_to = look(segment.to - by).there;
+    range.at_from = sample_at(segment.from + by).there;
+    range.at_to = sample_at(segment.to - by).there;
     for (const AnswerChange& one : segment.change.breaking)
       for (const ContactChange& contact : one.contacts)
         if (contact.from != contact.to) range.changing.push_back(contact.contact);
@@ -116,14 +116,15 @@ private:
   void sample() {
     slice_.is_exact = false;
     const double from = slice_.variation.from, width = slice_.variation.to - from;
-    Look last = look(from);
+    Sample last = sample_at(from);
     const int samples = cone_settings.samples;
     for (int k = 1; k <= samples && goes_on(); ++k) {
-      const Look next = look(k == samples ? slice_.variation.to : from + width * k / samples);
-      Look low = last, high = next;
+      const Sample next =
+          sample_at(k == samples ? slice_.variation.to : from + width * k / samples);
+      Sample low = last, high = next;
       while (!low.is_like(high) && goes_on() &&
              std::abs(high.value - low.value) > cone_settings.sampled_to * std::abs(width)) {
-        const Look middle = look((low.value + high.value) / 2);
+        const Sample middle = sample_at((low.value + high.value) / 2);
         (middle.is_like(low) ? low : high) = middle;
       }
       if (low.is_like(high)) {
@@ -138,11 +139,11 @@ private:
     }
   }
 
-  static ConeSlice::Range between(const Look& one, const Look& two) {
+  static ConeSlice::Range between(const Sample& one, const Sample& two) {
     return {one.value, two.value, one.status, one.breaks, one.sticks, one.there, two.there, {}};
   }
 
-  static std::vector<Index> differing(const Look& one, const Look& two) {
+  static std::vector<Index> differing(const Sample& one, const Sample& two) {
     std::vector<Index> contacts;
     for (std::size_t i = 0; i < std::min(one.modes.size(), two.modes.size()); ++i)
       if (one.modes[i] != two.modes[i]) contacts.push_back(static_cast<Index>(i));

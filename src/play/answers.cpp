@@ -211,7 +211,8 @@ std::string Playground::solve(std::string_view text, bool in_full, std::string_v
   const std::string sentence = first_sentence(file, now.report);
   const std::string margin = margin_of_grip(file);
   if (look.empty()) return with_words(answer, sentence, margin);
-  const StatePicture picture = state_picture(now.drawn, now.report, read_look(look), sentence);
+  const StatePicture picture =
+      state_picture(now.drawn, now.report, read_picture_request(look), sentence);
   JsonWriter more;
   more.begin_object().key("scene");
   write_page_scene(more, now.drawn);
@@ -222,7 +223,7 @@ std::string Playground::solve(std::string_view text, bool in_full, std::string_v
 }
 
 std::string Playground::look(std::string_view text, std::string_view look) {
-  const Look wanted = read_look(look);
+  const PictureRequest wanted = read_picture_request(look);
   const bool is_last = last_ && last_->text == text && last_->in_full == wanted.in_full;
   const Solved& now = is_last ? *last_ : solved(text, wanted.in_full);
   JsonWriter json;

@@ -15,7 +15,8 @@ namespace lcpush::desktop {
 /// elsewhere solves nothing again; no answer depends on it.
 class Playground {
 public:
-  /// `question` is a word and what goes with it, `text` a scene; LOOK as read_look reads it:
+  /// `question` is a word and what goes with it, `text` a scene; LOOK as read_picture_request reads
+  /// it:
   ///   "solve LOOK"   {"answer": as `solve --json`, "sentence": its first, "scene": what a hand can
   ///                  take, and as "look"}; without LOOK the first two
   ///   "drag LOOK"    the same without other answers and remedies, which take most of the time

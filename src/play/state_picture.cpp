@@ -33,7 +33,7 @@ double fitted_meters(const DrawnScene& drawn, const View& view) {
                        state_height - 2 * state_margin);
 }
 
-View view_of(const DrawnScene& drawn, const Look& look) {
+View view_of(const DrawnScene& drawn, const PictureRequest& look) {
   if (look.view.empty()) return {"", "", look.right, look.up, cross<double>(look.right, look.up)};
   std::vector<View> views = axis_views(drawn.file.gravity);
   views.push_back(isometric_view(views[0]));
@@ -42,7 +42,7 @@ View view_of(const DrawnScene& drawn, const Look& look) {
   throw InputError("look: no view " + quoted(look.view));
 }
 
-Sight sight_of(const DrawnScene& drawn, const Look& look) {
+Sight sight_of(const DrawnScene& drawn, const PictureRequest& look) {
   const View view = view_of(drawn, look);
   return {view, look.meters > 0 ? look.meters : fitted_meters(drawn, view),
           Pixel(state_width / 2, state_height / 2), view.flat(drawn.center())};
@@ -53,7 +53,7 @@ Sight sight_of(const DrawnScene& drawn, const Look& look) {
 /// One state from one direction.
 class StatePainter {
 public:
-  StatePainter(const DrawnScene& drawn, const PushReport& report, const Look& look)
+  StatePainter(const DrawnScene& drawn, const PushReport& report, const PictureRequest& look)
       : drawn_(drawn), report_(report), look_(look), sight_(sight_of(drawn, look)),
         figures_(drawn, sight_, {rod_length, 30, 2}),
         is_answered_(report.status == Status::solved && !look.moment) {
@@ -73,7 +73,7 @@ private:
   const SceneFile& file_ = drawn_.file;
   const Scene<double>& scene_ = drawn_.scene;
   const PushReport& report_;
-  const Look& look_;
+  const PictureRequest& look_;
   const Sight sight_;
   const View& view_ = sight_.view;
   const GraspFigures figures_;
@@ -248,8 +248,8 @@ std::string StatePainter::svg(const std::string& title) const {
          before + trace() + spoke() + dots() + contacts() + pressing() + labels + "</svg>";
 }
 
-StatePicture state_picture(const DrawnScene& drawn, const PushReport& report, const Look& look,
-                           const std::string& title) {
+StatePicture state_picture(const DrawnScene& drawn, const PushReport& report,
+                           const PictureRequest& look, const std::string& title) {
   if (look.moment && look.moment->bodies.size() != drawn.file.bodies.size())
     throw InputError("look: another number of bodies than the scene has");
   const StatePainter painter(drawn, report, look);

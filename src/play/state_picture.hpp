@@ -4,7 +4,7 @@
 
 #include "lcpush/desktop/push.hpp"
 #include "picture/grasp_figures.hpp"
-#include "play/look.hpp"
+#include "play/picture_request.hpp"
 
 namespace lcpush::desktop {
 
@@ -13,8 +13,8 @@ struct StatePicture {
   Sight sight;
 };
 /// `title`: what is to be heard of it.
-StatePicture state_picture(const DrawnScene& drawn, const PushReport& report, const Look& look,
-                           const std::string& title);
+StatePicture state_picture(const DrawnScene& drawn, const PushReport& report,
+                           const PictureRequest& look, const std::string& title);
 
 /// What the picture's signs mean, as a list.
 std::string state_key();

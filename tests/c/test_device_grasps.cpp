@@ -1,6 +1,6 @@
 // What a microcontroller is given: random grasps of at most twelve points in float, through the C
 // interface. docs/embed/tables.md quotes the figures.
-#include "support/c_grasp.hpp"
+#include "support/c_grasp_checks.hpp"
 
 using namespace lcpush;
 using namespace lcpush::test;

@@ -85,6 +85,7 @@ ROOMS = {
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 FOREIGN_DETAIL = re.compile(r"\bdetail::")
+SAYS_NOTHING = re.compile(r"\b(?:struct|class|using|typename)\s+(Aim|Ask|Deed|Here|Look|Same|Told|Way)\b")
 
 
 def room_of(path):
@@ -113,6 +114,9 @@ def faults_in(root, path):
     for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
         if not is_library and FOREIGN_DETAIL.search(line.split("//")[0]):
             yield number, "detail:: belongs to the library; ask for a public name"
+        named = SAYS_NOTHING.search(line.split("//")[0])
+        if named:
+            yield number, f"a type called {named.group(1)}: say what it is, in the field's words"
         found = INCLUDE.match(line)
         if not found:
             continue
@@ -151,6 +155,7 @@ PLANTED = [
      "may not include include/lcpush/desktop/"),
     ("src/solve/push.cpp", "int planted = lcpush::detail::max_rhs;", "detail::"),
     ("src/solve/push.cpp", '#include "../text/wording.hpp"', "includes start at"),
+    ("src/solve/push.cpp", "template <class Ask> void planted(Ask ask);", "a type called Ask"),
 ]
 
 

@@ -66,8 +66,8 @@ public:
   }
 
   /// Another covering vector: `as_given` in the basis of all w, here(row) in the present one.
-  template <class Column, class Here>
-  void set_covering_vector(const Column& /*as_given*/, Here here) {
+  template <class Column, class Reader>
+  void set_covering_vector(const Column& /*as_given*/, Reader here) {
     auto column = dictionary.table.col(dictionary.column_of(artificial(dictionary.size())));
     for (Index i = 0; i < dictionary.size(); ++i) column[i] = here(i);
   }

@@ -79,7 +79,7 @@ public:
   }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector);
-  template <class Here> void set_covering_vector(const VectorMap<S>& as_given, Here /*here*/) {
+  template <class Reader> void set_covering_vector(const VectorMap<S>& as_given, Reader /*here*/) {
     form_.set_covering_vector(as_given);
   }
 

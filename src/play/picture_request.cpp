@@ -1,4 +1,4 @@
-#include "play/look.hpp"
+#include "play/picture_request.hpp"
 
 #include "formats/json_fields.hpp"
 
@@ -44,10 +44,10 @@ struct LookReader {
 
 } // namespace
 
-Look read_look(std::string_view text) {
+PictureRequest read_picture_request(std::string_view text) {
   const JsonValue value = parse_json(text, look_name);
   LookReader reader;
-  Look look;
+  PictureRequest look;
   if (const JsonValue* const full = value.find("full"); full != nullptr && full->as<bool>())
     look.in_full = *full->as<bool>();
   look.view = reader.fields.text(value, "view");

@@ -30,7 +30,7 @@ struct Moment {
   std::vector<Vector3<double>> path; ///< of the centre of mass, from where it was
 };
 
-struct Look {
+struct PictureRequest {
   bool in_full = true;       ///< as "solve" or as "drag"
   std::string view;          ///< "front", "top", "side" or "isometric"; empty: as follows
   Vector3<double> right, up; ///< of the scene, on the picture; unit vectors
@@ -45,6 +45,6 @@ struct Look {
 /// "most_force", "path": [3 a place], "bodies": [{"position", "columns": [9, column by column],
 /// "middle", "normal", "force", "normal_force"}]}}; all but the view can be left out. Throws
 /// InputError.
-Look read_look(std::string_view text);
+PictureRequest read_picture_request(std::string_view text);
 
 } // namespace lcpush::desktop
