@@ -1,6 +1,7 @@
 #include "move/motion_painter.hpp"
 
 #include "move/move_words.hpp"
+#include "move/settings.hpp"
 #include "picture/contact_figures.hpp"
 #include "text/format.hpp"
 
@@ -61,14 +62,17 @@ Sight motion_sight(const SceneFile& file, const MotionReport& report, const Pris
                   {width, height});
 }
 
-/// Of one body's in the picture; the first step, which sets everything going at once, does not
-/// count.
+/// Of one body's in the picture; 0 where all press across it, but for rounding. The first step,
+/// which sets everything going at once, does not count.
 double largest_force(const MotionReport& report, const View& view) {
-  double most = 0;
-  for (std::size_t k = 1; k < report.frames.size(); ++k)
+  double most = 0, pressed = 0;
+  for (std::size_t k = 1; k < report.frames.size(); ++k) {
+    if (k == 1 && report.frames.size() >= 3) continue;
+    pressed = std::max(pressed, hardest(report.frames[k].bodies));
     for (const BodyForce& body : report.frames[k].bodies)
-      if (k > 1 || report.frames.size() < 3) most = std::max(most, view.flat(body.force).norm());
-  return most;
+      most = std::max(most, view.flat(body.force).norm());
+  }
+  return most > MoveSettings::exact * pressed ? most : 0;
 }
 
 } // namespace

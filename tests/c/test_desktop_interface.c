@@ -77,7 +77,7 @@ static void test_errors(void) {
 }
 
 typedef struct {
-  int asked, told, end_after;
+  int told, ended, asked_late;
   double last;
 } seen;
 
@@ -89,17 +89,18 @@ static void note(void* context, double done) {
 }
 static int is_over(void* context) {
   seen* const all = context;
-  return ++all->asked > all->end_after;
+  all->asked_late += all->ended;
+  return all->ended = all->told > 0; /* however slow the machine is */
 }
 
 static void test_cancelling(void) {
-  seen all = {0, 0, 3, 0};
+  seen all = {0, 0, 0, 0};
   const lcpush_desktop_listener listener = {&all, note, is_over};
   lcpush_desktop_answer* answer = lcpush_desktop_ask("sweep", vary, &listener);
   check(lcpush_desktop_code(answer) == LCPUSH_DESKTOP_CANCELLED, "a long sweep is cancelled");
-  check(all.asked == 4 && all.told > 0 && all.last < 0.9, "it ends when it is told to");
+  check(all.asked_late == 0 && all.last < 0.9, "it ends when it is told to");
   lcpush_desktop_free(answer);
-  all.asked = all.told = 0;
+  all.ended = all.told = 0;
   answer = lcpush_desktop_ask("move", "{" SCENE ", \"step\": 1e-5}", &listener);
   check(lcpush_desktop_code(answer) == LCPUSH_DESKTOP_CANCELLED, "a motion is cancelled");
   check(strstr(lcpush_desktop_text(answer), "\"end\": \"stopped\"") != NULL, "with what there is");

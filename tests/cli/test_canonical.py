@@ -2,6 +2,7 @@
 import importlib.util
 import json
 import math
+import pathlib
 import re
 import subprocess
 import sys
@@ -152,9 +153,19 @@ class Canonical(ToolTest):
         self.assertIn(f"```text\n{text}```", PAGE)
         self.assertLess(len((FOLDER / "toy_engine.py").read_text().splitlines()), 30)
 
-    def test_the_page_has_the_tables_that_the_runner_writes(self):
-        for table in scored("--table")[1].strip().split("\n\n"):
-            self.assertIn(table, PAGE)
+    def test_pages_pictures_and_tables_are_what_the_scenes_make(self):
+        made = subprocess.run([sys.executable, SOURCE / "docs/check/canonical_pages.py", TOOL, "--check"], capture_output=True,
+                              text=True)
+        self.assertEqual((made.returncode, made.stderr), (0, ""))
+        pages = {path.name for path in (SOURCE / "docs/check/canonical").iterdir()}
+        scenes = {pathlib.Path(motion["scene"]).stem for motion in score.MOTIONS}
+        self.assertEqual(pages, {name + end for name in scenes for end in (".md", ".svg")})
+
+    def test_a_picture_has_no_arrow_of_rounding(self):
+        # The fingers of what spins between them press across the picture.
+        for name, shows in (("soft_spin_down", False), ("spinning_disc", False), ("about_a_pin", True)):
+            svg = (SOURCE / f"docs/check/canonical/{name}.svg").read_text()
+            self.assertEqual(bool(re.search(r"[0-9] N</text>", svg)), shows, name)
 
     def test_a_picture_leaves_a_table_level_under_what_tips_or_flies(self):
         for name, time in (("tray_tips", 0.2), ("thrown_up", 0.3)):

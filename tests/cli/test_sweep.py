@@ -97,7 +97,7 @@ class Sweep(ToolTest):
         for facets in ("8", '"round"'):
             with self.subTest(facets=facets):
                 result = run(self.file("block.toml", BLOCK.replace("8", facets, 1)), "--vary",
-                             "edge.shift[1]=-0.009:0.029", "--seconds", 3)
+                             "edge.shift[1]=-0.009:0.029", "--seconds", 6)
                 self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_rounding_is_zero_in_every_format(self):

@@ -8,12 +8,13 @@
 
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "support/c_grasp.hpp"
+#include "support/seeds.hpp"
 #include "support/solved_push.hpp"
 
 namespace lcpush::test {
 
 struct GraspCount {
-  int solved = 0;
+  int solved = 0, unsolved = 0;
   std::vector<int> pivots; ///< of each that is solved, in order of size
   double worst = 0;
 };
@@ -27,7 +28,7 @@ inline GraspCount solve_a_thousand(Pressure pressure, Index facets) {
                              1);
   GraspCount count;
   int tried = 0;
-  for (std::uint64_t seed = 1; tried < 1000; ++seed) {
+  for (std::uint64_t seed = 1; tried < static_cast<int>(seeds(1000)); ++seed) {
     OwnedScene<float> owned = grasp_of<float>(family, seed);
     if (owned.points.size() > 12) continue;
     ++tried;
@@ -44,6 +45,7 @@ inline GraspCount solve_a_thousand(Pressure pressure, Index facets) {
     CHECK(worst <= 2e-4);
     count.worst = std::max(count.worst, worst);
   }
+  count.unsolved = tried - count.solved;
   std::sort(count.pivots.begin(), count.pivots.end());
   return count;
 }
@@ -54,10 +56,11 @@ inline void check_a_thousand(Pressure pressure, Index facets) {
   CAPTURE(facets);
   const GraspCount count = solve_a_thousand(pressure, facets);
   MESSAGE(facets << " facets, law " << static_cast<int>(pressure) << ": " << count.solved
-                 << " of 1000 solved, pivots median " << count.pivots[count.pivots.size() / 2]
-                 << ", 99 % " << count.pivots[count.pivots.size() * 99 / 100] << ", most "
-                 << count.pivots.back() << ", worst violation " << count.worst);
-  CHECK(count.solved >= 995);
+                 << " solved, " << count.unsolved << " not, pivots median "
+                 << count.pivots[count.pivots.size() / 2] << ", 99 % "
+                 << count.pivots[count.pivots.size() * 99 / 100] << ", most " << count.pivots.back()
+                 << ", worst violation " << count.worst);
+  CHECK(count.unsolved <= 5);
 }
 
 inline Eigen::Vector3f push_force(const CGrasp& grasp, const lcpushf_push* push) {
@@ -153,7 +156,7 @@ inline void check_unsettled(Pressure pressure) {
   const lcpush_size most{12, 12, 8, 12, 12, 0};
   std::vector<double> memory(LCPUSH_BYTES(float, 12, 12, 8, 12, 12) / sizeof(double) + 1);
   int unsettled = 0, tried = 0, compared = 0, same = 0;
-  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= seeds(3000); ++seed) {
     OwnedScene<float> owned = grasp_of<float>(Family::plain, seed);
     if (owned.points.size() > 12) continue;
     owned.base.pressure = pressure;
@@ -249,7 +252,7 @@ inline void check_breaks(Pressure pressure) {
   lcpushf_push* const push = lcpushf_make(memory.data(), memory.size() * sizeof(double), &most);
   REQUIRE(push != nullptr);
   int tried = 0, ended = 0, agreed = 0, broken = 0, same = 0;
-  for (std::uint64_t seed = 1; seed <= 180; ++seed) {
+  for (std::uint64_t seed = 1; seed <= seeds(180); ++seed) {
     OwnedScene<float> owned = grasp_of<float>(family, seed);
     OwnedScene<double> in_double = grasp_of<double>(family, seed);
     if (owned.points.size() > 12) continue;
@@ -276,10 +279,10 @@ inline void check_breaks(Pressure pressure) {
   MESSAGE("law " << static_cast<int>(pressure) << ": " << tried << " grasps, " << ended
                  << " break or do not hold, " << agreed << " as in double; " << broken << " break, "
                  << same << " at the same force");
-  CHECK(tried > 100);
+  CHECK(tried > static_cast<int>(seeds(100)));
   CHECK(ended >= tried - 1);
   CHECK(agreed >= tried - 4);
-  CHECK(broken > 40);
+  CHECK(broken > static_cast<int>(seeds(40)));
   CHECK(same * 10 >= broken * 7);
 }
 

@@ -62,10 +62,10 @@ Scene3 varied_grasp(std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("full = reduced: 1,000 random grasps of every kind") {
+TEST_CASE("full = reduced: 400 random grasps of every kind") {
   double worst = 0;
   Index followers = 0;
-  for (std::uint64_t seed = 1; seed <= seeds(1000); ++seed) {
+  for (std::uint64_t seed = 1; seed <= seeds(400); ++seed) {
     const Scene3 owned = varied_grasp(seed);
     SolvedPush<double> push(owned);
     push.assembly.push_by(seed % 2 == 0 ? 1.0 : 0.3);
@@ -76,7 +76,7 @@ TEST_CASE("full = reduced: 1,000 random grasps of every kind") {
     for (Index b = 0; b < push.scene.bodies.size; ++b)
       followers += push.scene.bodies[b].point_count - full.form.patch(b).count();
   }
-  CHECK(followers > static_cast<Index>(seeds(3000))); // there was something to interpolate
+  CHECK(followers > static_cast<Index>(seeds(1200))); // there was something to interpolate
   MESSAGE("largest difference between full and reduced: " << worst);
 }
 
