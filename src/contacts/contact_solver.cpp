@@ -66,7 +66,7 @@ private:
   void polish();
   void follow_path();
   std::vector<ForceMode> modes() const;
-  void begin_at_pyramids(Index facets);
+  void begin_at_pyramids(VectorXd& turns);
 };
 
 double size_of(const ContactForces& answer) {
@@ -299,8 +299,17 @@ std::vector<ForceMode> ContactSolver::modes() const {
 
 /// Pyramids' answers have mostly the modes of round cones, however long the path there is. With
 /// these held, and whole steps, Newton's method turns the friction; then come the modes there.
-void ContactSolver::begin_at_pyramids(Index facets) {
-  const ContactForces start = solve_contact_pyramids(problem_, facets);
+/// `turns`: of the pyramids; afterwards so that each has an edge against its slip, as round cones
+/// do.
+void ContactSolver::begin_at_pyramids(VectorXd& turns) {
+  const ContactForces start = solve_contact_pyramids(problem_, Settings::facets, turns);
+  turns.resize(k_);
+  for (Index c = 0; c < k_; ++c) {
+    const bool slips = start.modes[static_cast<std::size_t>(c)] == ForceMode::slip;
+    const auto along = slips ? Eigen::Vector2d(-start.u.segment<2>(3 * c + 1))
+                             : Eigen::Vector2d(start.r.segment<2>(3 * c + 1));
+    turns[c] = std::atan2(along.y(), along.x());
+  }
   x_ = start.r.cwiseQuotient(d_) / unit_;
   l_ = start.l.cwiseQuotient(e_) / unit_;
   tau_ = 0;
@@ -329,10 +338,10 @@ ContactForces ContactSolver::solve() {
     follow_path();
     polish();
   }
-  for (Index facets = Settings::fewest_facets;
-       !best_.is_good && facets <= Settings::most_facets && facets * k_ <= Settings::pyramid_sides;
-       facets *= 2) {
-    begin_at_pyramids(facets);
+  VectorXd turns;
+  for (Index k = 0; !best_.is_good && k < Settings::most_turns; ++k) {
+    if (Settings::facets * k_ > Settings::pyramid_sides) break;
+    begin_at_pyramids(turns);
     polish();
   }
   return best_;

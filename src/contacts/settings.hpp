@@ -24,7 +24,7 @@ struct ContactSettings {
   static constexpr double smoothers[] = {1, 10, 100};
   /// Where no path leads to an end: sides of the pyramids to begin at, and of all contacts the
   /// most, whose pivots take about a second.
-  static constexpr Index fewest_facets = 8, most_facets = 64, pyramid_sides = 800;
+  static constexpr Index facets = 8, most_turns = 4, pyramid_sides = 800;
   static constexpr double near_path = 0.1; ///< of tau: the residual that is near enough
   /// Steps along the path, and those that may fail: piles of 225 contacts with masses from 1 to 1e6
   /// took 40 and 12.

@@ -64,8 +64,10 @@ ContactProblem parse_contacts(const std::string& text, const std::string& name, 
 void read_contact_forces(const std::string& path, ContactProblem& problem);
 
 ContactForces solve_contacts(const ContactProblem& problem);
-/// With pyramids of so many facets inside of the cones, by Lemke's pivots.
-ContactForces solve_contact_pyramids(const ContactProblem& problem, Index facets);
+/// With pyramids of so many facets inside of the cones, by Lemke's pivots; `turns`: of each
+/// contact's, rad; empty: none is turned.
+ContactForces solve_contact_pyramids(const ContactProblem& problem, Index facets,
+                                     const Eigen::VectorXd& turns = {});
 /// The residuals of r; what V needs beside it, l, is fitted unless it is given.
 ContactForces judge_contacts(const ContactProblem& problem, const Eigen::VectorXd& r,
                              double tolerance, const Eigen::VectorXd* l = nullptr);
