@@ -145,6 +145,11 @@ bool LimitSurface::is_solid() const {
   return x.dot(cross(y, z)) > cone_settings.flat * std::pow(sum.trace() / 3, 3);
 }
 
+bool LimitSurface::is_empty() const {
+  return std::all_of(wrenches_.begin(), wrenches_.end(),
+                     [](const Vector3<double>& w) { return w.isZero(0); });
+}
+
 double LimitSurface::share_of(const Vector3<double>& load) const {
   if (!(load.norm() > 0)) return 0;
   return 1 / crossing(Vector3<double>::Zero(), load).force;

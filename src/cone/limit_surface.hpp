@@ -82,6 +82,8 @@ public:
   bool touches_everywhere() const { return touches_everywhere_; }
   /// Is every direction resisted?
   bool is_solid() const;
+  /// Does nothing press, so that no direction is resisted?
+  bool is_empty() const;
   /// The ray load + k direction from inside. Pre: is_solid, the load is held.
   Crossing crossing(const Vector3<double>& load, const Vector3<double>& direction) const;
   /// By what factor all grip forces may shrink before they do not hold it: 0 for no load.

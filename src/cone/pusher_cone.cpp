@@ -72,6 +72,11 @@ double planar_reach(const SceneFile& file) {
 }
 
 void refuse_single_place(const SceneFile& file, const LimitSurface& grip) {
+  if (grip.is_empty())
+    throw InputError(
+        file.lines.file, file.lines.bodies.front().place,
+        "nothing presses on the object across the plane, so no friction resists a push; "
+        "give a grip_force, or gravity onto what carries it");
   if (!grip.is_solid())
     throw InputError(file.lines.file, file.lines.bodies.front().place,
                      "the fingers resist no turning: they press at one place without a patch; "

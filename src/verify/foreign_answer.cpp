@@ -76,21 +76,27 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
   for (const auto* places : {&file.points, &file.positions})
     for (const Vector3<double>& p : *places) size = std::max(size, p.norm());
   const double near = std::max(VerifySettings::same_place, tolerance) * size;
+  double off = 0;
+  std::size_t farthest = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const ForeignContact& contact = answer.contacts[i];
     const std::string& body = file.body_name(file.body_of(static_cast<Index>(i)));
-    if (!contact.body.empty() && contact.body != body)
+    if (!contact.body.empty() && contact.body != body) {
       answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
                               ", the scene's of " + quoted(body);
-    const double off = contact.position ? (*contact.position - file.positions[i]).norm() : 0;
-    if (!(off <= near))
-      answer.not_this_scene =
-          "contact " + known[i] + " is at another place, " + shown(off) + " m from the scene's" +
-          (off <= VerifySettings::rounded * size ? "; if its places are rounded, --tolerance " +
-                                                       next_tolerance(off / size) + " takes them"
-                                                 : "");
-    if (!answer.not_this_scene.empty()) return;
+      return;
+    }
+    const double apart = contact.position ? (*contact.position - file.positions[i]).norm() : 0;
+    if (apart <= off) continue;
+    off = apart;
+    farthest = i;
   }
+  if (off <= near) return;
+  answer.not_this_scene =
+      "contact " + known[farthest] + " is at another place, " + shown(off) + " m from the scene's" +
+      (off <= VerifySettings::rounded * size ? "; if its places are rounded, --tolerance " +
+                                                   next_tolerance(off / size) + " takes them"
+                                             : "");
 }
 
 void read_bodies(const JsonFields& fields, const JsonArray& array, const SceneFile& file,

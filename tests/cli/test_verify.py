@@ -187,6 +187,12 @@ assert verify(even, rounded, "--tolerance", "1e-4")[0] == 0
 for digits, tolerance, status in ((3, "0.03", 0), (2, "1e-4", 1)):
     rounded["contacts"][0]["position"] = [float(f"{x:.{digits}g}") for x in answer["contacts"][0]["position"]]
     assert verify(even, rounded, "--tolerance", tolerance)[0] == status, digits
+# The one that is farthest off is named.
+elsewhere = copy.deepcopy(answer)
+for k, off in ((0, 1e-4), (-1, 1e-3)):
+    elsewhere["contacts"][k]["position"][0] += off
+said = json.dumps(verify(even, elsewhere)[1])
+assert f"contact {answer['contacts'][-1]['name']} is at another place, 0.001 m" in said, said
 almost = copy.deepcopy(answer)
 almost["bodies"][0]["force"][1] *= 1 + 1e-7
 found, lawful = re.search(r"force of l along y is (\S+) N, where its points make (\S+) N",
