@@ -141,8 +141,13 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     } else {
       if (words[at].empty()) throw UsageError("the name of a file is empty");
       files_.push_back(words[at]);
-      if (files_.size() > command.most_files)
-        throw UsageError("one name too many: " + desktop::quoted(words[at]));
+      if (files_.size() > command.most_files) {
+        std::string hint;
+        for (const Option& option : command.options)
+          if (option.value[0] == '"' && at >= 2 && words[at - 2] == option.label())
+            hint = "; what " + option.label() + " takes stands in quotes: " + option.value;
+        throw UsageError("one name too many: " + desktop::quoted(words[at]) + hint);
+      }
       if (words[at] == "-" && std::count(files_.begin(), files_.end(), "-") > 1)
         throw UsageError("standard input can be read only once; name a file for the other");
     }

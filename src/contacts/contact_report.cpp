@@ -87,7 +87,7 @@ std::string verdict(const ContactProblem& problem, const ContactForces& answer) 
   if (answer.is_good) return (problem.r ? "The forces are right: " : "Solved: ") + of;
   std::string text = problem.r ? "The forces are refused.\n"
                                : "Not solved: the solver did not end. There may be forces that "
-                                 "obey the laws, or none;\nthese are the nearest it came to.\n";
+                                 "obey the laws, or none: these are the nearest it came to.\n";
   Index count_broken = 0;
   for (Index law = 0; law < contact_law_count; ++law) {
     const ContactResidual& worst = answer.worst[law];

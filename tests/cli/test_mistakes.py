@@ -35,6 +35,7 @@ COMMANDS = [
     ("solve M.mtx", "M.mtx:1: this is a Matrix Market file; a scene is TOML"),
     ("solve ''", "the name of a file is empty"),
     ("solve good.toml good.toml", 'one name too many: "good.toml"'),
+    ("hold good.toml --at 0.01 0 0", 'one name too many: "0"; what --at takes stands in quotes: "X Y Z"'),
     ("solve good.toml --jsn", '(did you mean "--json"?)'),
     ("solve good.toml --format", "--format needs a value: --format text|json"),
     ("solve good.toml --format xml", '--format is text or json, not "xml"'),
