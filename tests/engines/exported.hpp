@@ -222,8 +222,15 @@ private:
   std::map<std::string, std::string> leader_;        ///< by a coupled joint
 };
 
-/// By the tool that LCPUSH names, which says itself what it refuses.
+/// Of an exported scene.xml; or of a scene, by the tool that LCPUSH names, which says itself what
+/// it refuses.
 inline Scene scene_of(const std::string& file) {
+  tinyxml2::XMLDocument document;
+  if (std::filesystem::path(file).extension() == ".xml") {
+    document.LoadFile(file.c_str());
+    if (document.Error()) throw std::runtime_error(document.ErrorStr());
+    return Reader(document.RootElement()).scene();
+  }
   const char* tool = std::getenv("LCPUSH");
   if (tool == nullptr) throw std::runtime_error("LCPUSH has to name the tool");
   std::string folder = (std::filesystem::temp_directory_path() / "engine-XXXXXX").string();
@@ -232,7 +239,6 @@ inline Scene scene_of(const std::string& file) {
   const std::string command = "'" + std::string(tool) + "' export '" + file +
                               "' --format mjcf -o '" + folder + "' 2>'" + said + "'";
   const bool is_there = std::system(command.c_str()) == 0;
-  tinyxml2::XMLDocument document;
   document.LoadFile((folder + "/scene.xml").c_str());
   std::stringstream words;
   words << std::ifstream(said).rdbuf();
