@@ -1,144 +1,20 @@
 // Contact problems in JSON and in folders of Matrix Market files, as FCLIB and Siconos name them.
+#include "contacts/contact_parts.hpp"
 #include "contacts/settings.hpp"
 #include "dense/decompositions.hpp"
-#include "formats/json_fields.hpp"
-#include "lcpush/desktop/contacts.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace lcpush::desktop {
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr const char* known_keys[] = {"W", "G", "M",  "H", "b", "g", "q",
-                                      "f", "w", "mu", "V", "R", "s", "r"};
-
-/// An array of rows, or of the numbers of a column.
-SparseRows rows_of(const JsonValue& value, const JsonFields& fields, const std::string& key) {
-  const JsonArray* const array = value.as<JsonArray>();
-  if (array == nullptr)
-    fields.refuse(value, desktop::quoted(key) + " must be an array of numbers or of rows, got " +
-                             value.type());
-  SparseRows rows;
-  for (const JsonValue& entry : *array) {
-    const JsonArray* const row = entry.as<JsonArray>();
-    const auto width = row != nullptr ? static_cast<Index>(row->size()) : 1;
-    if (rows.rows() == 0) {
-      rows.cols = width;
-      rows.entries.reserve(array->size() * static_cast<std::size_t>(width));
-    }
-    if (width != rows.cols)
-      fields.refuse(entry, "row " + std::to_string(rows.rows() + 1) + " of " +
-                               desktop::quoted(key) + " has " + counted(width, "number") +
-                               ", the first has " + std::to_string(rows.cols));
-    for (Index j = 0; j < width; ++j) {
-      const JsonValue& number = row != nullptr ? (*row)[static_cast<std::size_t>(j)] : entry;
-      if (number.as<double>() == nullptr)
-        fields.refuse(number, desktop::quoted(key) + " must hold numbers, got " + number.type());
-      if (*number.as<double>() != 0) rows.add(j, *number.as<double>());
-    }
-    rows.end_row();
-  }
-  return rows;
-}
-
-bool are_same(const SparseRows& A, const SparseRows& B) {
-  const auto same = [](const SparseEntry& a, const SparseEntry& b) {
-    return a.column == b.column && a.value == b.value;
-  };
-  return A.cols == B.cols && A.begins == B.begins &&
-         std::equal(A.entries.begin(), A.entries.end(), B.entries.begin(), same);
-}
-
-/// The parts of a problem by their names, of a file or folder.
-class Parts {
-public:
-  Parts(const JsonValue& root, std::string name) : name_(std::move(name)) {
-    const JsonFields fields(name_);
-    if (root.as<JsonObject>() == nullptr)
-      fields.refuse(root, std::string("a contact problem is an object with \"W\", \"b\" and "
-                                      "\"mu\", or with \"M\", \"H\", \"f\" and \"mu\", got ") +
-                              root.type());
-    for (const char* key : known_keys)
-      if (const JsonValue* const value = root.find(key))
-        parts_[key] =
-            rows_of(key == std::string("mu") ? of_all_contacts(*value) : *value, fields, key);
-    const std::string normal = fields.text(root, "normal");
-    is_normal_last = normal == "last";
-    if (!normal.empty() && normal != "first" && normal != "last")
-      fields.refuse(*root.find("normal"), "\"normal\" says which of a contact's three numbers is "
-                                          "the normal's: \"first\" or \"last\", not " +
-                                              desktop::quoted(normal));
-  }
-  explicit Parts(const std::string& folder) : name_(folder) {
-    for (const char* key : known_keys) {
-      const std::string path = folder + "/" + key + ".mtx";
-      std::error_code ignored;
-      if (std::filesystem::exists(path, ignored)) parts_[key] = read_sparse_matrix(path);
-    }
-    if (!has("V") && has("R") && !has("r")) parts_["r"] = parts_["R"]; // reactions
-  }
-
-  bool is_normal_last = false;
-
-  bool has(const std::string& key) const { return parts_.count(key) > 0; }
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw InputError(name_ + ": " + sentence);
-  }
-  /// The first that is there. A size < 0 may be any.
-  const SparseRows& part(const std::vector<std::string>& keys, Index rows, Index cols,
-                         const std::string& what) const {
-    std::string first;
-    for (const std::string& key : keys) {
-      if (!has(key)) continue;
-      if (first.empty()) first = key;
-      if (!are_same(parts_.at(key), parts_.at(first)))
-        refuse(desktop::quoted(first) + " and " + desktop::quoted(key) +
-               " are both there and differ, but each is " + what + ": leave one out");
-    }
-    if (!first.empty()) {
-      const SparseRows& part = parts_.at(first);
-      if ((rows >= 0 && part.rows() != rows) || (cols >= 0 && part.cols != cols))
-        refuse(desktop::quoted(first) + " is " + std::to_string(part.rows()) + " x " +
-               std::to_string(part.cols) + ", but it is " + what +
-               (rows < 0 || cols < 0 ? ""
-                                     : ": " + std::to_string(rows) + " x " + std::to_string(cols)));
-      return part;
-    }
-    refuse(desktop::quoted(keys[0]) + " is missing: " + what);
-  }
-  VectorXd vector(const std::vector<std::string>& keys, Index rows, const std::string& what) const {
-    const SparseRows& column = part(keys, rows, 1, what);
-    VectorXd x = VectorXd::Zero(column.rows());
-    for (Index i = 0; i < x.size(); ++i)
-      for (const SparseEntry& entry : column.row(i)) x[i] = entry.value;
-    return x;
-  }
-
-private:
-  /// A number stands for all contacts, three rows each of what has been read before.
-  JsonValue of_all_contacts(const JsonValue& mu) const {
-    if (mu.as<double>() == nullptr) return mu;
-    Index rows = 3;
-    for (const char* key : {"b", "g", "H", "G", "W"}) { // the last says how many they are
-      if (!has(key)) continue;
-      const SparseRows& part = parts_.at(key);
-      rows = has("M") && part.rows() == parts_.at("M").rows() ? part.cols : part.rows();
-    }
-    return {mu.line, JsonArray(static_cast<std::size_t>(rows / 3), mu)};
-  }
-
-  std::string name_;
-  std::map<std::string, SparseRows> parts_;
-};
-
-void check_symmetric(const Parts& parts, const SparseRows& A, const std::string& name) {
+void check_symmetric(const ContactParts& parts, const SparseRows& A, const std::string& name) {
   VectorXd diagonal(A.rows());
   for (Index i = 0; i < A.rows(); ++i) diagonal[i] = A(i, i);
   std::vector<std::size_t> next = A.begins; // in each row: its entries up to column i are done
@@ -162,7 +38,7 @@ void check_symmetric(const Parts& parts, const SparseRows& A, const std::string&
 }
 
 /// W = H' M^-1 H and b = H' M^-1 f + w.
-void condense(const Parts& parts, Index n, ContactProblem& problem) {
+void condense(const ContactParts& parts, Index n, ContactProblem& problem) {
   const Index m = parts.part({"M"}, -1, -1, "").rows();
   const SparseRows& M = parts.part({"M"}, m, m, "a square mass matrix");
   if (m > 2 * ContactSettings::most_rows)
@@ -195,7 +71,7 @@ void condense(const Parts& parts, Index n, ContactProblem& problem) {
   }
 }
 
-void read_equalities(const Parts& parts, Index n, ContactProblem& problem) {
+void read_equalities(const ContactParts& parts, Index n, ContactProblem& problem) {
   const Index e =
       parts.has("V") ? parts.part({"V"}, n, -1, "a matrix with three rows a contact").cols : 0;
   problem.V = Eigen::MatrixXd::Zero(n, e);
@@ -236,12 +112,12 @@ void turn(ContactProblem& problem) {
     problem.V.col(a) = turned(VectorXd(problem.V.col(a)));
 }
 
-void take_forces(const Parts& parts, ContactProblem& problem) {
+void take_forces(const ContactParts& parts, ContactProblem& problem) {
   const VectorXd r = parts.vector({"r"}, problem.b.size(), "forces, three numbers a contact");
   problem.r = problem.normal_last ? turned(r) : r;
 }
 
-ContactProblem problem_of(const Parts& parts, bool normal_last) {
+ContactProblem problem_of(const ContactParts& parts, bool normal_last) {
   ContactProblem problem;
   const std::string friction = "a number a contact";
   const Index k = parts.part({"mu"}, -1, 1, friction).rows(), n = 3 * k;
@@ -284,15 +160,16 @@ ContactProblem in_other_order(ContactProblem problem) {
 }
 
 ContactProblem parse_contacts(const std::string& text, const std::string& name, bool normal_last) {
-  return problem_of(Parts(parse_json(text, name), name), normal_last);
+  return problem_of(ContactParts(parse_json(text, name), name), normal_last);
 }
 
 ContactProblem read_contacts(const std::string& path, bool normal_last) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return problem_of(Parts(path), normal_last);
+  if (std::filesystem::is_directory(path, ignored))
+    return problem_of(ContactParts(path), normal_last);
   const std::string name = file_label(path);
   const JsonValue root = parse_json(read_text_file(path, limits::answer_bytes), name);
-  return problem_of(Parts(root, name), normal_last); // the text is gone before the rows come
+  return problem_of(ContactParts(root, name), normal_last); // the text is gone before the rows come
 }
 
 void read_contact_forces(const std::string& path, ContactProblem& problem) {
@@ -307,7 +184,7 @@ void read_contact_forces(const std::string& path, ContactProblem& problem) {
   }
   JsonValue object{root.line, root.data};
   if (root.as<JsonArray>() != nullptr) object.data = JsonObject{{"r", root}};
-  take_forces(Parts(object, file_label(path)), problem);
+  take_forces(ContactParts(object, file_label(path)), problem);
 }
 
 } // namespace lcpush::desktop
