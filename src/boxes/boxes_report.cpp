@@ -55,10 +55,11 @@ std::string values_words(const BoxAnswer& answer,
 std::string worst_words(const BoxAnswer& answer) {
   if (!answer.worst) return "";
   const auto& [grip, factor, at] = *answer.worst;
-  const std::string where = !is_wide(answer) ? ""
+  const std::string values = values_words(answer, at);
+  const std::string where = !is_wide(answer) || values.empty() ? ""
                             : shared_range(answer) != nullptr
                                 ? "worst at " + brief(at.front().second) + ", "
-                                : "worst at " + values_words(answer, at) + ", ";
+                                : "worst at " + values + ", ";
   return (where.empty() ? " " : ": " + where) + "with " + brief(1 / factor) +
          " times the grip it needs (" + brief(factor * grip.force) + " of " + brief(grip.force) +
          (grip.of_actuator ? " " : " N ") + grip.of + ")";

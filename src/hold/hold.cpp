@@ -87,6 +87,7 @@ public:
     if (most.ending == Ending::found)
       found.gives = read_motion(hand_, statics_, most.motion, program->contacts());
     found.limit = law_ ? law_->limit(d, found.statics, asks_law) : found.statics;
+    if (law_) study_.may_bear_more = law_->may_bear_more();
     return found;
   }
 

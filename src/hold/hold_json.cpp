@@ -59,6 +59,7 @@ std::string hold_json(const SceneFile& file, const HoldStudy& study, const BoxAn
   std::optional<Vector6<double>> other;
   if (study.other) other = study.other->acceleration;
   json.member("law", study.is_statics ? "statics" : "pad")
+      .member("may_bear_more", study.may_bear_more)
       .member("other_acceleration", other)
       .member("answer", hold_answer(file, study));
   if (box != nullptr) write_box(json, *box);

@@ -195,6 +195,9 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
              acceleration_text(study.other->acceleration, study.other->length, Telling::brief)});
   if (const std::string text = weakest_text(file, study); !text.empty())
     facts.push_back({"Weakest against", text});
+  if (study.may_bear_more)
+    facts.push_back({"At least", "so much is borne; whether more is took too long to find out. "
+                                 "Fewer points a pad, of the same surface, tell it"});
   for (std::size_t k = 18; k < study.limits.size(); ++k) {
     const HoldLimit& limit = study.limits[k];
     facts.push_back(

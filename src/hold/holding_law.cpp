@@ -48,7 +48,7 @@ double HoldingLaw::least_grip(double bound) {
   if (least <= statics_settings.closed && (is_proved || is_held(0, false))) return 0;
   const double refuted = holds_now_ == false ? std::max(least, 1.0) : least;
   if (refuted == least && is_held(least * (1 + pads_.slack()), is_proved)) return least;
-  const auto is_found = [&](double factor) { return is_held(factor, false); };
+  const auto is_found = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
   const double found =
       holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, 1, is_found);
   return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
@@ -63,13 +63,17 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   // Points bear less than surfaces of all the load, as if the grip were less.
   const double slack = pads_.slack(), most = (1 - slack) * limit;
   const auto is_held = [&](double load) {
-    return load <= 0 || holds(1, load * wrench).value_or(false);
+    return load <= 0 ? std::optional(true) : holds(1, load * wrench);
   };
   if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) {
     // Which points touch was improved from corner to corner: the law may know better ones.
     const double more = (1 + hold_settings.of_points) * limit;
-    return more < bound && std::isfinite(bound) && is_held(more) ? halved(bound, more, is_held)
-                                                                 : limit;
+    if (!(more < bound && std::isfinite(bound))) return limit;
+    const std::optional<bool> holds_more = is_held(more);
+    may_bear_more_ = may_bear_more_ || (!holds_more && work_.is_used_up());
+    if (holds_more != true) return limit;
+    const double near = (1 - hold_settings.of_points) * bound; // mostly it is statics' then
+    return halved(bound, near > more && is_held(near) == true ? near : more, is_held);
   }
   const double far = std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm();
   const double found = searched(far, -1, is_held);
@@ -83,7 +87,7 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
 double HoldingLaw::searched(double refuted, double sign, const Question& is_held) const {
   const double unit = std::max(refuted, hold_settings.least_unit);
   double step = hold_settings.first_step * unit, held = std::max(0.0, refuted + sign * step);
-  while (!is_held(held)) {
+  while (is_held(held) != true) {
     if (work_.is_used_up() || held > statics_settings.most_force * unit)
       return std::numeric_limits<double>::quiet_NaN();
     refuted = held;
@@ -94,17 +98,21 @@ double HoldingLaw::searched(double refuted, double sign, const Question& is_held
 }
 
 /// The end of what holds, between what does not and what does. A search that ends before that is
-/// known to what points leave open has found nothing.
+/// known to what points leave open has found nothing, nor has one that ends at no answer.
 double HoldingLaw::halved(double refuted, double held, const Question& is_held) const {
   const double least = hold_settings.least_unit * std::max(refuted, hold_settings.least_unit);
+  bool is_refuted = true; // else its last question had no answer
   const auto is_open = [&](double precision) {
     return std::abs(held - refuted) > precision * std::max(held, least);
   };
   while (is_open(hold_settings.law) && !work_.is_used_up()) {
     const double middle = (held + refuted) / 2;
-    (is_held(middle) ? held : refuted) = middle;
+    const std::optional<bool> is_middle = is_held(middle);
+    (is_middle == true ? held : refuted) = middle;
+    if (is_middle != true) is_refuted = is_middle.has_value();
   }
-  return is_open(hold_settings.of_points) ? std::numeric_limits<double>::quiet_NaN() : held;
+  return is_open(hold_settings.of_points) || !is_refuted ? std::numeric_limits<double>::quiet_NaN()
+                                                         : held;
 }
 
 } // namespace lcpush::desktop

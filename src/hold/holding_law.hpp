@@ -22,6 +22,8 @@ public:
   std::optional<bool> holds(double factor, const Vector6<double>& more);
   /// The load as it is; forces of pads that carry it prove it where the law has no answer.
   std::optional<bool> holds_now() const { return holds_now_; }
+  /// Was a limit told beyond which the law was not asked, as the work was used up?
+  bool may_bear_more() const { return may_bear_more_; }
   const SceneFile& surfaces() const { return pads_.surfaces(); }
   /// The least factor on the grip; `bound`: of statics, from below; nan: not known.
   double least_grip(double bound);
@@ -35,6 +37,7 @@ private:
   const SceneFile& hand_;
   CountingWatcher work_;
   bool is_first_ = true; // before what asks
+  bool may_bear_more_ = false;
   std::vector<bool> touching_;
   std::optional<bool> holds_now_;
   PadLimits pads_;
@@ -42,7 +45,7 @@ private:
 
   PushOptions options() const;
 
-  using Question = std::function<bool(double)>;
+  using Question = std::function<std::optional<bool>(double)>;
   double searched(double refuted, double sign, const Question& is_held) const;
   double halved(double refuted, double held, const Question& is_held) const;
 };

@@ -36,7 +36,7 @@ public:
 
 private:
   PushOptions given_, counting_;
-  static constexpr double most = 1e10, overhead = 5e5; // overhead: what a small pivot costs
+  static constexpr double most = 2e10, overhead = 5e5; // overhead: what a small pivot costs
   double multiplications_ = 0;
 };
 

@@ -167,6 +167,16 @@ class ClosedForms(unittest.TestCase):
             few, many = (answer["weakest"][kind]["limit"] for answer in answers)
             self.assertAlmostEqual(many / few, 1, delta=1e-3, msg=kind)
 
+    def test_many_points_bear_what_few_do_or_it_is_said_that_more_may_be(self):
+        """Tilting discs: friction at two faces 10 mm apart, and all of the pressure at the rim. Work ends before all is asked."""
+        for points in (12, 96):
+            answer = hold(scene("".join(finger(name, [0, 0, 0.005 * s], [0, 0, -s], 0.5, shape="disc", radius=0.008, points=points,
+                                               grip_force=20) for name, s in (("left", 1), ("right", -1))), gravity=(0, 0, 0),
+                                mass=0.1, box=(0.12, 0.03, 0.01)))
+            limits = [limit(answer, "moment", 0, s, 0) for s in (1, -1)]
+            self.assertEqual(answer["may_bear_more"], min(limits) < 0.4, (points, limits))
+            self.assertLess(max(limits), 0.421)
+
     def test_forces_that_statics_has_are_not_told_where_the_law_finds_none(self):
         """Three points of a table and two fingers, one point each: a displacement makes any pressure, and solve falls with
         what statics holds."""
@@ -365,7 +375,7 @@ class OutsideProgram(unittest.TestCase):
 class Words(ToolTest):
     def test_json_has_every_promised_key(self):
         answer = hold(scene(pinch()))
-        self.assertEqual(set(answer), {"held", "least_grip", "margin", "disturbances", "weakest", "added_mass", "tilt",
+        self.assertEqual(set(answer), {"held", "least_grip", "margin", "disturbances", "weakest", "added_mass", "tilt", "may_bear_more",
                                        "law", "other_acceleration", "answer", "warnings"})
         self.assertEqual(set(answer["least_grip"]), {"force", "factor", "statics_factor", "most_factor", "of"})
         self.assertEqual(set(answer["weakest"]), set(KINDS))

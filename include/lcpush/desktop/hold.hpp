@@ -75,8 +75,9 @@ struct HoldStudy {
   double factor = unknown_number;  ///< least, on all grip forces; no_limit: no grip holds
   double most = no_limit;          ///< no larger one holds; nan: not known
   double statics_factor = unknown_number, statics_most = no_limit; ///< the same of statics
-  GiveWay falls;                                ///< if it does, or at its least grip
-  bool is_statics = true;                       ///< the scene's law holds whatever statics can
+  GiveWay falls;              ///< if it does, or at its least grip
+  bool is_statics = true;     ///< the scene's law holds whatever statics can
+  bool may_bear_more = false; ///< the work was used up before the law was asked beyond all limits
   Vector3<double> at = Vector3<double>::Zero(); ///< m, scene's frame
   std::vector<HoldLimit> limits;      ///< along +x, -x, +y, .. of each kind, then as asked
   std::array<HoldLimit, 3> weakest{}; ///< by kind
