@@ -279,10 +279,12 @@ inline void check_breaks(Pressure pressure) {
   MESSAGE("law " << static_cast<int>(pressure) << ": " << tried << " grasps, " << ended
                  << " break or do not hold, " << agreed << " as in double; " << broken << " break, "
                  << same << " at the same force");
-  CHECK(tried > static_cast<int>(seeds(100)));
   CHECK(ended >= tried - 1);
   CHECK(agreed >= tried - 4);
-  CHECK(broken > static_cast<int>(seeds(40)));
+  // A tenth of the grasps, under sanitizers, is too few for shares of them.
+  if (is_sanitized) return;
+  CHECK(tried > 100);
+  CHECK(broken > 40);
   CHECK(same * 10 >= broken * 7);
 }
 
