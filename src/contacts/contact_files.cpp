@@ -142,6 +142,7 @@ ContactProblem problem_of(const ContactParts& parts, bool normal_last) {
     if (problem.mu[c] < 0)
       parts.refuse("\"mu\" of contact " + std::to_string(c + 1) + " is " + shown(problem.mu[c]) +
                    "; friction is >= 0");
+  problem.unread = parts.unread;
   problem.normal_last = normal_last || parts.is_normal_last;
   if (problem.normal_last) turn(problem);
   if (parts.has("r")) take_forces(parts, problem);

@@ -124,6 +124,32 @@ std::string contact_hint(const ContactProblem& p, const ContactForces& answer) {
   return "";
 }
 
+VectorXd contradiction(const ContactProblem& p, const VectorXd& r) {
+  VectorXd v = VectorXd::Zero(r.size());
+  for (Index i = 0; i < r.size(); i += 3) v[i] = std::max(0.0, r[i]);
+  const double largest = v.size() > 0 ? v.maxCoeff() : 0;
+  if (!(largest > 0)) return {};
+  for (double& x : v) x = x < ContactSettings::weight * largest ? 0 : x / largest;
+  const auto is_nothing = [](double sum, double terms) {
+    return std::abs(sum) <= ContactSettings::balanced * terms;
+  };
+  for (Index i = 0; i < v.size(); ++i) {
+    double sum = 0, terms = 0;
+    for (const SparseEntry& entry : p.W.row(i)) {
+      sum += entry.value * v[entry.column];
+      terms += std::abs(entry.value * v[entry.column]);
+    }
+    if (!is_nothing(sum, terms)) return {};
+  }
+  for (Index a = 0; a < p.V.cols(); ++a)
+    if (!is_nothing(p.V.col(a).dot(v), p.V.col(a).cwiseAbs().dot(v))) return {};
+  const double closes = p.b.dot(v);
+  if (!(closes < 0) || is_nothing(closes, p.b.cwiseAbs().dot(v))) return {};
+  VectorXd weights(p.contacts());
+  for (Index c = 0; c < weights.size(); ++c) weights[c] = v[3 * c];
+  return weights;
+}
+
 ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double tolerance,
                              const VectorXd* l) {
   ContactForces answer;

@@ -60,6 +60,10 @@ ContactParts::ContactParts(const JsonValue& root, std::string name) : name_(std:
     fields.refuse(root, std::string("a contact problem is an object with \"W\", \"b\" and "
                                     "\"mu\", or with \"M\", \"H\", \"f\" and \"mu\", got ") +
                             root.type());
+  for (const auto& [key, value] : *root.as<JsonObject>())
+    if (key != "normal" &&
+        std::find(std::begin(known_keys), std::end(known_keys), key) == std::end(known_keys))
+      unread.push_back(key);
   for (const char* key : known_keys)
     if (const JsonValue* const value = root.find(key))
       parts_[key] =

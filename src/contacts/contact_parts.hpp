@@ -14,6 +14,7 @@ public:
   explicit ContactParts(const std::string& folder);
 
   bool is_normal_last = false;
+  std::vector<std::string> unread; ///< keys that no contact problem has
 
   bool has(const std::string& key) const { return parts_.count(key) > 0; }
   [[noreturn]] void refuse(const std::string& sentence) const {

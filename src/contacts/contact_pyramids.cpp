@@ -72,13 +72,21 @@ ContactForces solve_contact_pyramids(const ContactProblem& p, Index facets,
   raw.free.resize(static_cast<std::size_t>(n + e), 1);
   const RawAnswer solved = solve_raw(raw, {});
   Eigen::VectorXd z = Eigen::VectorXd::Zero(n + e), r(3 * k);
+  const auto forces = [&](const Eigen::VectorXd& parts) {
+    for (Index c = 0; c < k; ++c)
+      r.segment<3>(3 * c) = product(of(c), parts.segment(width * c, width));
+    return r;
+  };
   if (!solved.z.empty()) z = Eigen::Map<const Eigen::VectorXd>(solved.z.data(), n + e);
-  for (Index c = 0; c < k; ++c) r.segment<3>(3 * c) = product(of(c), z.segment(width * c, width));
+  forces(z);
   const Eigen::VectorXd l = z.tail(e);
   ContactForces answer = judge_contacts(p, r, ContactSettings::solved, &l);
   answer.facets = facets;
-  answer.lcp = solved.residual;
   answer.is_good = solved.status == Status::solved;
+  if (answer.is_good) answer.lcp = solved.residual;
+  if (!solved.ray.empty())
+    answer.none =
+        contradiction(p, forces(Eigen::Map<const Eigen::VectorXd>(solved.ray.data(), n + e)));
   return answer;
 }
 

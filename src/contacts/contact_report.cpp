@@ -55,7 +55,10 @@ std::string fault_text(const SlipAndForce& at, Index law, double tolerance) {
   if (law == 0 && at.r[0] < 0) return ": it pulls with " + brief(-at.r[0]);
   if (law == 0 && at.u[0] < 0) return ": it goes into the other body at " + brief(-at.u[0]);
   if (law == 0) return ": it presses with " + brief(at.r[0]) + " and parts at " + brief(at.u[0]);
-  if (law == 1) return ": friction is " + brief(at.friction) + ", and mu r_n is " + brief(at.limit);
+  if (law == 1) {
+    const auto [friction, limit] = told_apart(at.friction, at.limit);
+    return ": friction is " + friction + ", and mu r_n is " + limit;
+  }
   if (law != 2) return "";
   const std::string due = brief(at.limit) + " against the slip is due";
   if (!at.is_misdirected(tolerance))
@@ -68,6 +71,30 @@ std::string fault_text(const SlipAndForce& at, Index law, double tolerance) {
 
 std::string hint_of(const ContactProblem& problem, const ContactForces& answer) {
   return problem.r && !answer.is_good ? contact_hint(problem, answer) : "";
+}
+
+/// "1 and 2", or how many.
+std::string contradiction_text(const ContactProblem& problem, const VectorXd& none) {
+  std::vector<std::string> which;
+  double closes = 0;
+  for (Index c = 0; c < none.size(); ++c)
+    if (none[c] > 0) {
+      which.push_back(std::to_string(c + 1));
+      closes += none[c] * problem.b[3 * c];
+    }
+  if (which.size() == 1)
+    return "There are no such forces: contact " + which[0] + " closes at " + brief(-closes) +
+           ", whatever presses.\n";
+  double least = 1;
+  for (const double weight : none)
+    if (weight > 0) least = std::min(least, weight);
+  const std::string contacts = which.size() <= static_cast<std::size_t>(ContactSettings::shown)
+                                   ? "contacts " + listed(which, "and")
+                                   : counted(static_cast<Index>(which.size()), "contact");
+  return "There are no such forces: of " + contacts + " the normal velocities sum up to " +
+         brief(closes) +
+         (least < 1 - usual_contact_tolerance ? " (with the weights of \"none\" in --json)" : "") +
+         ", whatever presses, and each has to be 0 or more.\n";
 }
 
 /// What is said first.
@@ -84,6 +111,7 @@ std::string verdict(const ContactProblem& problem, const ContactForces& answer) 
   tell(0, "is open", "are open");
   const std::string of =
       "of " + counted(problem.contacts(), "contact") + " " + listed(modes, "and") + ".\n";
+  if (answer.none.size() > 0) return contradiction_text(problem, answer.none);
   if (answer.is_good) return (problem.r ? "The forces are right: " : "Solved: ") + of;
   std::string text = problem.r ? "The forces are refused.\n"
                                : "Not solved: the solver did not end. There may be forces that "
@@ -110,7 +138,13 @@ std::string verdict(const ContactProblem& problem, const ContactForces& answer) 
 } // namespace
 
 std::string contacts_text(const ContactProblem& problem, const ContactForces& answer, bool all) {
-  std::string text = verdict(problem, answer) + "\n";
+  const std::string unread = problem.unread.empty()
+                                 ? ""
+                                 : "Not read of the file: " + listed(problem.unread, "and") +
+                                       ". Forces to be judged are called \"r\".\n";
+  std::string text = verdict(problem, answer);
+  if (answer.none.size() > 0) return text + unread;
+  text += "\n";
   const Index k = problem.contacts(), shown = all ? k : std::min(k, ContactSettings::shown);
   const double zero = ContactSettings::solved * answer.r.cwiseAbs().maxCoeff(),
                still = ContactSettings::solved * problem.b.cwiseAbs().maxCoeff();
@@ -128,21 +162,24 @@ std::string contacts_text(const ContactProblem& problem, const ContactForces& an
   for (Index law = 0; law < contact_law_count - (has_equalities(problem) ? 0 : 1); ++law)
     parts.push_back(laws[law].name + (" " + residual_text(answer.worst[law].size)));
   text += "\nResiduals: " + joined(parts, ", ");
-  if (answer.facets > 0)
-    text += "; of the pyramids' complementarity problem " + residual_text(answer.lcp);
-  return text + ".\n";
+  if (answer.lcp)
+    text += "; of the pyramids' complementarity problem " + residual_text(*answer.lcp);
+  return text + ".\n" + unread;
 }
 
 std::string contacts_json(const ContactProblem& problem, const ContactForces& answer) {
   JsonWriter json;
   json.begin_object().member("status", problem.r        ? answer.is_good ? "valid" : "refused"
                                        : answer.is_good ? "solved"
-                                                        : "stagnated");
+                                       : answer.none.size() > 0 ? "no_solution"
+                                                                : "stagnated");
   json.key("friction").begin_object().member("law", answer.facets > 0 ? "pyramids" : "round");
   json.member("facets", when(answer.facets > 0, answer.facets)).end_object();
   json.member("normal", problem.normal_last ? "last" : "first");
   json.member("r", as_given(problem, answer.r)).member("u", as_given(problem, answer.u));
   if (has_equalities(problem)) json.member("l", answer.l);
+  if (answer.none.size() > 0) json.member("none", answer.none);
+  if (!problem.unread.empty()) json.member("unread", problem.unread);
   std::vector<std::string> modes;
   for (const ForceMode mode : answer.modes)
     modes.emplace_back(force_mode_texts[static_cast<std::size_t>(mode)]);
@@ -151,7 +188,7 @@ std::string contacts_json(const ContactProblem& problem, const ContactForces& an
   json.key("residuals").begin_object();
   for (Index law = 0; law < contact_law_count; ++law)
     json.member(laws[law].key, answer.worst[law].size);
-  json.member("lcp", when(answer.facets > 0, answer.lcp)).end_object();
+  json.member("lcp", answer.lcp).end_object();
   json.key("worst").begin_object(); // from 1
   for (Index law = 0; law < contact_law_count; ++law)
     json.member(laws[law].key, when(answer.worst[law].contact >= 0, answer.worst[law].contact + 1));

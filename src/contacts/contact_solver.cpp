@@ -344,6 +344,7 @@ ContactForces ContactSolver::solve() {
     begin_at_pyramids(turns);
     polish();
   }
+  if (!best_.is_good) best_.none = contradiction(problem_, best_.r);
   return best_;
 }
 

@@ -35,7 +35,10 @@ struct ContactSettings {
   static constexpr double equality = 1e-2; ///< delta of the multipliers, whose columns are near 1
   static constexpr double turned = 1e-2;   ///< of the residual: so little shows what was mistaken
   static constexpr double along_slip =
-      0.1;                           ///< rad: friction so near to the slip has the wrong sign
+      0.1; ///< rad: friction so near to the slip has the wrong sign
+  /// Of the largest normal force where nothing holds: less is none. What is left of its velocities,
+  /// of their terms, is rounding of forces that grow until they end.
+  static constexpr double weight = 1e-6, balanced = 1e-7;
   static constexpr Index shown = 20; ///< lines of a table
 };
 

@@ -81,6 +81,29 @@ std::string box_table(const RawProblem& problem, const RawAnswer& answer) {
   return text;
 }
 
+/// Does v show that there is no solution? With v >= 0 (of rows of equalities of any sign), M'v <= 0
+/// (of free unknowns 0) and v'q < 0, v'(M z + q) < 0 for every z: to rounding.
+bool refutes(const RawProblem& problem, const std::vector<double>& v) {
+  if (problem.bounds.given() || v.size() != problem.q.size()) return false;
+  std::vector<double> sums(v.size()), terms(v.size());
+  double closes = 0, size = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    if (v[i] == 0) continue;
+    if (v[i] < 0 && problem.free[i] == 0) return false;
+    closes += v[i] * problem.q[i];
+    size += std::abs(v[i] * problem.q[i]);
+    for (const SparseEntry& entry : problem.M.row(static_cast<Index>(i))) {
+      sums[static_cast<std::size_t>(entry.column)] += v[i] * entry.value;
+      terms[static_cast<std::size_t>(entry.column)] += std::abs(v[i] * entry.value);
+    }
+  }
+  for (std::size_t j = 0; j < sums.size(); ++j) {
+    const double above = problem.free[j] != 0 ? std::abs(sums[j]) : sums[j];
+    if (above > RawSettings().rounding * terms[j]) return false;
+  }
+  return closes < -RawSettings().rounding * size;
+}
+
 } // namespace
 
 std::string raw_text(const RawProblem& problem, const RawAnswer& answer) {
@@ -92,6 +115,9 @@ std::string raw_text(const RawProblem& problem, const RawAnswer& answer) {
                                : "Pivots: " + std::to_string(answer.pivots)) +
            ".\n";
     if (answer.ray.empty()) return text;
+    if (refutes(problem, answer.ray))
+      text += "There is no solution: of the v below M'v <= 0 and v'q < 0, so that v'(M z + q) < 0 "
+              "for every z >= 0.\n";
     text += "\nThe ray v (v >= 0, M v >= 0 along it up to the covering vector, largest entry 1):\n";
     for (std::size_t i = 0; i < answer.ray.size(); ++i)
       if (answer.ray[i] != 0)

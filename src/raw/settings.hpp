@@ -33,6 +33,8 @@ struct RawSettings {
   double shares[3] = {0.5, 0.25, 0.75}; ///< of the unknowns in them, one after the other
   /// All complementary cones are tried up to here: the work doubles with each pair.
   Index pairs_enumerated = 10, rows_enumerated = 24;
+  /// Of the terms of a sum along a ray: what is less is 0. A ray's entries have nine digits.
+  double rounding = 1e-9;
   /// What least squares leave of a column that is not needed, of the largest.
   double crumb = 1e-13;
   /// Balancing ends when no scale changes by more than this part, and after so many passes: each

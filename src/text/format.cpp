@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace lcpush::desktop {
 namespace {
@@ -44,6 +45,14 @@ std::string in_digits(double x, int digits, double zero) {
   std::snprintf(text, sizeof text, "%.*g", digits, x);
   const double rounded = std::strtod(text, nullptr), size = std::abs(rounded);
   return size >= std::pow(10, digits) && size < too_long ? printed("%.0f", rounded) : text;
+}
+
+std::pair<std::string, std::string> told_apart(double a, double b, double zero) {
+  int digits = 3;
+  while (digits < std::numeric_limits<double>::max_digits10 &&
+         in_digits(a, digits, zero) == in_digits(b, digits, zero))
+    ++digits;
+  return {in_digits(a, digits, zero), in_digits(b, digits, zero)};
 }
 
 std::size_t table_width(const TableRows& rows) {

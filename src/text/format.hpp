@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lcpush/types.hpp"
@@ -35,6 +36,8 @@ std::string in_digits(double x, int digits, double zero = 0);
 
 /// In three digits.
 inline std::string brief(double x, double zero = 0) { return in_digits(x, 3, zero); }
+/// Two numbers that differ, in as many digits as show it, three or more.
+std::pair<std::string, std::string> told_apart(double a, double b, double zero = 0);
 
 constexpr double millimetres_a_metre = 1000;
 constexpr double degrees_a_radian = 180 / 3.14159265358979323846;

@@ -42,6 +42,8 @@ struct VerifySettings {
   static constexpr double digits = 1e-9;     ///< of the object's size: how far digits of places go
   static constexpr double same_speed = 1e-9; ///< of a difference: rounding, no other worst step
   static constexpr double at_rest = 1e-3;    ///< of the motion judged: slower, the laws hold it
+  static constexpr double pushed_out = 5e-4; ///< of the object's size: a step of the laws still
+                                             ///< pushes a point out that is so deep
   static constexpr double start = 1e-3;      ///< of the object's size, and of a turn: a simulator's
                                              ///< first step goes less far
   static constexpr double first_frame = 1.5; ///< intervals from 0: a first frame after a step
@@ -54,6 +56,7 @@ struct VerifySettings {
   // How finely a step between two frames is repeated, doubling its parts.
   static constexpr double most_parts = 64;          ///< simulators make up to 50 steps a frame
   static constexpr double most_stated_parts = 1024; ///< where the file says how short its steps are
+  static constexpr double most_jump_parts = 256; ///< where it jumps: a moment to 1/256 of a frame
   static constexpr double settling_parts = 4; ///< from then on twice as many say how many will do
   static constexpr double jump = 0.1;         ///< of the fastest speed, between two frames
   static constexpr double limit = 2; ///< of the way to twice as many steps, whose errors are half

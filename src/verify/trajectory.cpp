@@ -2,6 +2,7 @@
 
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "text/format.hpp"
 #include "verify/followed_motion.hpp"
 #include "verify/settings.hpp"
 #include "verify/trajectory_forces.hpp"
@@ -79,6 +80,7 @@ public:
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
     if (report_.status == Status::solved)
       report_.missed = judge_changes(file_, given_, tolerance * report_.fastest, report_.fastest);
+    report_.overlap = find_overlap(file_, given_);
     const double span = given_.back().time - given_.front().time;
     report_.creep = speed_between(laws_.telling(), given_.front().pose, given_.back().pose, span);
     if (report_.steps > 0) report_.mean /= static_cast<double>(report_.steps);
@@ -125,8 +127,10 @@ private:
     const Vector6<double> jump = run_.stepper().velocity() - before.moment.velocity;
     const bool jumps = laws_.telling().fastest(to.pose, jump) > Settings::jump * report_.fastest;
     const double settles = jumps ? Settings::most_parts : Settings::settling_parts;
-    // Who says how short its steps are may have made many.
-    const double said = to.step && *to.step > 0 ? h / *to.step : 0;
+    // Who says how short its steps are may have made many; and a jump is wherever it is.
+    const double said = jumps                     ? Settings::most_jump_parts
+                        : to.step && *to.step > 0 ? h / *to.step
+                                                  : 0;
     const double most = std::clamp(said, Settings::most_parts, Settings::most_stated_parts);
     for (int parts = 2; parts <= most; parts *= 2) {
       const bool is_solved = last.status == Status::solved;
@@ -191,13 +195,17 @@ private:
 
   void decide() {
     const double allowed = report_.tolerance * report_.fastest;
-    const bool is_near = report_.worst <= allowed && report_.missed.speed <= allowed;
+    const bool is_near = report_.worst <= allowed && report_.missed.speed <= allowed &&
+                         report_.overlap.speed <= allowed;
+    // A point deeper than that is none to the laws: what they hold without it says nothing.
+    const bool is_seen = report_.overlap.speed <= allowed ||
+                         report_.overlap.depth <= Settings::pushed_out * laws_.telling().size;
     const bool goes_on = report_.status == Status::solved;
     if (is_near)
       report_.verdict = !goes_on            ? TrajectoryVerdict::stopped
                         : has_wrong_force() ? TrajectoryVerdict::wrong_forces
                                             : TrajectoryVerdict::follows;
-    else if (goes_on && own_ <= Settings::at_rest * goes_)
+    else if (goes_on && is_seen && own_ <= Settings::at_rest * goes_)
       report_.verdict = TrajectoryVerdict::creeps;
     if (report_.verdict == TrajectoryVerdict::creeps) report_.held = held_times(file_);
   }
@@ -210,6 +218,27 @@ private:
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
 };
 
+/// Of a motion that breaks the laws: `as_given`, and `judged` from where it begins.
+std::string motion_hint(const SceneFile& file, const std::vector<TrajectoryFrame>& as_given,
+                        std::vector<TrajectoryFrame> judged, const TrajectoryReport& report) {
+  if (report.verdict != TrajectoryVerdict::differs) return "";
+  const Matrix3<double> half_turn = Vector3<double>(-1, -1, 1).asDiagonal();
+  if ((as_given.front().pose.rotation - half_turn).norm() <= Settings::start)
+    return "It begins with half a turn about z: quaternions have w first here, and these look "
+           "like x, y, z, w.";
+  double way = 0;
+  for (TrajectoryFrame& frame : judged) {
+    way = std::max(way, frame.pose.position.norm());
+    frame.pose.position /= millimetres_a_metre;
+    if (frame.twist) frame.twist->head<3>() /= millimetres_a_metre;
+  }
+  if (way <= object_size(file) ||
+      TrajectoryJudge(file, judged).judge(report.tolerance).verdict != TrajectoryVerdict::follows)
+    return "";
+  return "With all places divided by 1000 it obeys them: these look like millimetres, metres are "
+         "asked for.";
+}
+
 } // namespace
 
 const char* verdict_text(TrajectoryVerdict verdict) {
@@ -217,19 +246,20 @@ const char* verdict_text(TrajectoryVerdict verdict) {
   return texts[static_cast<int>(verdict)];
 }
 
-TrajectoryReport verify_trajectory(const SceneFile& file,
-                                   const std::vector<TrajectoryFrame>& trajectory,
+TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& trajectory,
                                    double tolerance) {
-  const std::optional<Vector3<double>> offset = first_offset(file, trajectory);
-  if (!offset) return TrajectoryJudge(file, trajectory).judge(tolerance);
-  std::vector<TrajectoryFrame> moved = trajectory;
-  const Matrix3<double> turned = trajectory.front().pose.rotation.transpose();
-  for (TrajectoryFrame& frame : moved) {
-    frame.pose.position -= *offset;
-    frame.pose.rotation *= turned;
-  }
-  TrajectoryReport report = TrajectoryJudge(file, moved).judge(tolerance);
+  std::vector<TrajectoryFrame> frames = trajectory.frames;
+  const std::optional<Vector3<double>> offset = first_offset(file, frames);
+  const Matrix3<double> turned = frames.front().pose.rotation.transpose();
+  if (offset)
+    for (TrajectoryFrame& frame : frames) {
+      frame.pose.position -= *offset;
+      frame.pose.rotation *= turned;
+    }
+  TrajectoryReport report = TrajectoryJudge(file, frames).judge(tolerance);
+  report.hint = motion_hint(file, trajectory.frames, frames, report);
   report.offset = offset;
+  report.unread = trajectory.unread;
   return report;
 }
 

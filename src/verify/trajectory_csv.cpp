@@ -2,6 +2,7 @@
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
+#include "verify/settings.hpp"
 #include "verify/trajectory_reader.hpp"
 
 #include <algorithm>
@@ -23,11 +24,16 @@ public:
     for (const std::string_view word : split_at(head, ',')) names_.emplace_back(trimmed(word));
     for (std::string& name : names_)
       if (name == "t") name = "time";
-    if (!has({"time", "x", "y", "z"}))
+    if (!has({"time", "x", "y", "z"})) {
+      Names found;
+      for (const std::string& name : names_)
+        if (found.size() < VerifySettings::told_names) found.push_back(quoted(name));
       throw InputError(file, 1,
                        "no motion: the first line names the columns time, x, y, z, then r11 .. r33 "
                        "(row by row) or qw, qx, qy, qz unless it does not turn, and if known vx, "
-                       "vy, vz, wx, wy, wz");
+                       "vy, vz, wx, wy, wz; here it is " +
+                           listed(found, "and") + (found.size() < names_.size() ? ", .." : ""));
+    }
     const auto is_of_rotation = [&](const std::string& name) {
       return std::count(rows_.begin(), rows_.end(), name) > 0 ||
              std::count(quaternion_.begin(), quaternion_.end(), name) > 0;
@@ -35,6 +41,14 @@ public:
     if (!turns() && std::any_of(names_.begin(), names_.end(), is_of_rotation))
       throw InputError(file, 1, "half a rotation: give all columns r11 .. r33, or qw, qx, qy, qz");
     find_forces(scene);
+  }
+
+  /// Columns that nothing here reads.
+  Names unread() const {
+    Names list;
+    for (const std::string& name : names_)
+      if (!is_read(name)) list.push_back(name);
+    return list;
   }
 
   TrajectoryFrame read(std::string_view line, int number) const {
@@ -63,6 +77,18 @@ public:
   }
 
 private:
+  bool is_read(const std::string& name) const {
+    const auto is_among = [&](const Names& list) {
+      return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    const bool is_of_motion = is_among({"time", "x", "y", "z", "step"}) || is_among(rows_) ||
+                              is_among(quaternion_) || is_among(speeds_);
+    const std::size_t dot = name.rfind('.');
+    if (is_of_motion || dot == std::string::npos) return is_of_motion;
+    const std::string what = name.substr(dot + 1); // of whom has been looked at
+    return what == "mode" || std::count(of_contacts_.begin(), of_contacts_.end(), what) > 0 ||
+           std::count(of_bodies_.begin(), of_bodies_.end(), what) > 0;
+  }
   bool turns() const { return has(rows_) || has(quaternion_); }
 
   struct Row {
@@ -166,6 +192,7 @@ ReadFrames frames_of_csv(const std::string& text, const std::string& file, const
   const std::vector<std::string_view> all = split_at(text, '\n');
   const CsvTrajectory csv(file, all[0], scene);
   ReadFrames read;
+  read.unread = csv.unread();
   for (std::size_t k = 1; k < all.size(); ++k) {
     if (trimmed(all[k]).empty()) continue;
     read.lines.push_back(static_cast<int>(k) + 1);

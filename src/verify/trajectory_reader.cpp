@@ -116,6 +116,18 @@ void read_forces(const JsonFields& fields, const JsonValue& entry, const PlacesB
   });
 }
 
+/// Notes keys that a frame has not.
+void note_strangers(const JsonValue& entry, std::vector<std::string>& unread) {
+  constexpr const char* known[] = {"time",       "t",     "step",   "position", "rotation",
+                                   "quaternion", "twist", "bodies", "contacts"};
+  const JsonObject* const object = entry.as<JsonObject>();
+  if (object == nullptr) return;
+  for (const auto& [key, value] : *object)
+    if (std::find(std::begin(known), std::end(known), key) == std::end(known) &&
+        std::find(unread.begin(), unread.end(), key) == unread.end())
+      unread.push_back(key);
+}
+
 } // namespace
 
 PlacesByName::PlacesByName(const SceneFile& scene) {
@@ -156,6 +168,7 @@ ReadFrames frames_of_json(const std::string& text, const std::string& file,
   const PlacesByName places(scene);
   ReadFrames read;
   for (const JsonValue& entry : *list) {
+    note_strangers(entry, read.unread);
     TrajectoryFrame frame;
     const auto time = fields.number(entry, entry.find("time") != nullptr ? "time" : "t");
     const auto position = fields.vector<3>(entry, "position");
@@ -180,13 +193,13 @@ ReadFrames frames_of_json(const std::string& text, const std::string& file,
   return read;
 }
 
-std::vector<TrajectoryFrame> parse_trajectory(const std::string& text, const std::string& file,
-                                              const SceneFile& scene) {
+Trajectory parse_trajectory(const std::string& text, const std::string& file,
+                            const SceneFile& scene) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool is_json = first != std::string::npos && text[first] == '{';
   ReadFrames read = is_json ? frames_of_json(text, file, scene) : frames_of_csv(text, file, scene);
   check_frames(file, read);
-  return std::move(read.frames);
+  return {std::move(read.frames), std::move(read.unread)};
 }
 
 } // namespace lcpush::desktop

@@ -11,6 +11,7 @@ namespace lcpush::desktop {
 struct ReadFrames {
   std::vector<TrajectoryFrame> frames;
   std::vector<int> lines;
+  std::vector<std::string> unread;
 };
 
 /// Where a scene's bodies and contacts stand, by name.

@@ -108,11 +108,12 @@ std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) c
   return pose_of(body, frames_[k].time, closings);
 }
 
-/// Generous about ends of faces: a foreign motion's contacts may be a hair beside them.
+/// Generous about ends of faces: a foreign motion's contacts may be a hair beside them. `part`: by
+/// so much of the object's size less.
 PlacedPoint<double> SeenMotion::placed(Index body, Index point, const Pose<double>& object,
-                                       const Pose<double>& hand) const {
+                                       const Pose<double>& hand, double part) const {
   return place(around_, faces_.touching(body), faces_.bodies()[static_cast<std::size_t>(body)],
-               file_.points[static_cast<std::size_t>(point)], object, hand, telling_.size);
+               file_.points[static_cast<std::size_t>(point)], object, hand, part * telling_.size);
 }
 
 /// At the hand's origin; none: what closes it is not known, and does not close along the normal.
@@ -207,6 +208,12 @@ void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const C
     contact.normal = now.normal;
     if (reach_their_face) contact.position += now.gap * now.normal;
     if (is_known && is_over(then)) contact.gap = then.gap;
+    const auto is_within = [&](const Pose<double>& object, const Pose<double>& body) {
+      return is_over(placed(b, i, object, body, Settings::pushed_out));
+    };
+    if (contact.gap && is_found(b, begin) && is_within(step.begin, hand) &&
+        is_within(frames_[k].pose, hand_then))
+      contact.gap_before = now.gap;
     see_slip(b, contact, step);
   }
 }

@@ -18,6 +18,8 @@ struct SeenContact {
   Vector3<double> normal = Vector3<double>::UnitZ();  ///< then, unit, into the object
   std::optional<double> gap;                          ///< m, at the end; none: its body's place is
                                                       ///< not known
+  std::optional<double> gap_before;    ///< m, at the begin, if it is over its face then and at the
+                                       ///< end, as strictly as to the laws' own steps
   double missed = 0;                   ///< m, by which a straight step may miss a face that turns
   std::optional<Vector3<double>> slip; ///< m/s, of the object beside the body, at the end
   double spin = 0;                     ///< rad/s about the normal, where slip is known
@@ -84,7 +86,7 @@ private:
                              const Pose<double>& object) const;
   Pose<double> pose_of(Index body, double time, const Closings& closings) const;
   PlacedPoint<double> placed(Index body, Index point, const Pose<double>& object,
-                             const Pose<double>& hand) const;
+                             const Pose<double>& hand, double part = 1) const;
   std::optional<Vector6<double>> body_twist(Index body, const SeenContact& contact,
                                             const SeenStep& step) const;
   void see_body(Index b, std::size_t k, const Closings& begin, const Closings& end, SeenStep& step);
@@ -96,6 +98,9 @@ private:
   Surroundings<double> around_;
   TellingPoints telling_;
 };
+
+/// Of all points over all steps, from the first frame on.
+Overlap find_overlap(const SceneFile& file, const std::vector<TrajectoryFrame>& frames);
 
 /// At frame k, as given; or as of every implicit scheme the mean since the frame before.
 Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k);

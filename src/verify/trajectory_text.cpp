@@ -33,8 +33,9 @@ const char* unit_of(const WorstForce& worst) { return worst.is_moment ? " N m" :
 
 /// "left.1 pulls with 1.2 N"
 std::string fault_phrase(const SceneFile& file, const WorstForce& worst) {
-  const std::string who = whose(file, worst), found = brief(worst.found) + unit_of(worst),
-                    lawful = brief(worst.lawful) + unit_of(worst);
+  const auto [is, should] = told_apart(worst.found, worst.lawful);
+  const std::string who = whose(file, worst), found = is + unit_of(worst),
+                    lawful = should + unit_of(worst);
   switch (worst.law) {
   case ForceLaw::gap:
     return who + " presses with " + found +
@@ -116,6 +117,11 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
            fault_sentence(file, *report.forces->broken(report.tolerance)) + ".";
   case TrajectoryVerdict::differs: break;
   }
+  if (report.overlap.speed > report.tolerance * report.fastest &&
+      !(report.worst > report.overlap.speed))
+    return "The motion breaks the laws: at " + brief(report.overlap.until) + " s " +
+           point_name(file, report.overlap.point) + " is " + millimetres(report.overlap.depth) +
+           " inside its face; bodies do not go into each other.";
   if (report.worst <= report.tolerance * report.fastest)
     return "The motion breaks the laws: from " + brief(report.missed.from) + " to " +
            brief(report.missed.until) +
@@ -165,8 +171,12 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
                                       " m instead of 0: its positions are judged from there on"});
   if (!report.has_rotation)
     facts.push_back({"Rotation", "the file says none: the object is taken not to turn"});
+  if (!report.unread.empty())
+    facts.push_back({"Not read", listed(report.unread, "and") + ": docs/check/motions.md lists "
+                                                                "what a motion says"});
   if (report.forces) facts.push_back(force_fact(file, report));
-  return title_line(file) + verdict_sentence(file, report) + "\n\n" + facts_text(facts);
+  return title_line(file) + verdict_sentence(file, report) + "\n" +
+         (report.hint.empty() ? "" : report.hint + "\n") + "\n" + facts_text(facts);
 }
 
 std::string trajectory_json(const SceneFile& file, const TrajectoryReport& report) {
@@ -180,8 +190,11 @@ std::string trajectory_json(const SceneFile& file, const TrajectoryReport& repor
       .member("worst_time", report.worst_time)
       .member("mean", report.mean)
       .member("missed_change", report.missed.speed)
+      .member("overlap", report.overlap.depth)
       .member("offset", report.offset)
       .member("has_rotation", report.has_rotation)
+      .member("unread", report.unread)
+      .member("hint", unless_empty(report.hint))
       .member("status", status_text(report.status))
       .member("creep", report.creep)
       .member("held", report.held)

@@ -5,6 +5,7 @@
 #include "text/wording.hpp"
 #include "verify/answer_completer.hpp"
 #include "verify/foreign_point.hpp"
+#include "verify/likely_mistakes.hpp"
 #include "verify/settings.hpp"
 #include "verify/verify_rows.hpp"
 
@@ -81,25 +82,6 @@ double motion_difference(const Answer<double>& a, const Answer<double>& b,
   return motion_size<double>(a.acceleration - b.acceleration, scales) * scales.acceleration;
 }
 
-/// The same with its forces turned round: all of them, or friction alone, whose moments about the
-/// centre of mass are then not known.
-ForeignAnswer turned(const SceneFile& file, ForeignAnswer answer, bool all) {
-  for (ForeignContact& contact : answer.contacts) {
-    if (all && contact.normal_force) contact.normal_force = -*contact.normal_force;
-    if (contact.friction_force) contact.friction_force = -*contact.friction_force;
-    if (contact.torsion) contact.torsion = -*contact.torsion;
-  }
-  for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
-    ForeignBody& body = answer.bodies[b];
-    const Vector3<double>& n = file.bodies[b].normal;
-    if (body.force)
-      body.force = all ? -*body.force : Vector3<double>(2 * n.dot(*body.force) * n - *body.force);
-    if (body.moment && all) body.moment = -*body.moment;
-    if (!all) body.moment.reset();
-  }
-  return answer;
-}
-
 class Verification {
 public:
   Verification(const SceneFile& file, const ForeignAnswer& given, const VerifyOptions& options,
@@ -115,7 +97,7 @@ public:
     }
     settle();
     study_point();
-    if (!is_valid(report_.verdict)) look_at_signs();
+    if (!is_valid(report_.verdict)) look_for_mistakes();
     return report_;
   }
 
@@ -159,22 +141,20 @@ private:
     }
   }
 
-  /// The commonest mistake at an interface: forces on the bodies.
-  void look_at_signs() {
+  /// Undone, a mistake lets all laws hold; one of signs may stand beside others.
+  void look_for_mistakes() {
     if (own_.report().status != Status::solved) return;
-    for (const bool all : {true, false}) {
-      const ForeignAnswer other = turned(push_.file(), given_, all);
-      Verification check(push_.file(), other, {report_.tolerance}, own_);
+    for (const LikelyMistake& mistake : likely_mistakes(push_.file(), given_)) {
+      Verification check(push_.file(), mistake.answer, {report_.tolerance}, own_);
       check.settle();
-      const double left = check.report_.residual;
-      if (!(left <= std::max(report_.tolerance, VerifySettings::turned * report_.residual)))
-        continue;
+      const double left = check.report_.residual / report_.residual;
+      const bool is_less = mistake.is_of_signs && left <= VerifySettings::turned;
+      if (!check.holds() && !(is_less && report_.hint.empty())) continue;
       report_.hint =
-          std::string("With every ") + (all ? "force" : "friction force") + " turned round " +
-          (check.holds() ? "all laws hold"
-                         : "the error is " + brief(left / report_.residual) + " times as large") +
-          ": these are forces on the bodies; forces on the object are asked for.";
-      return;
+          mistake.undone + " " +
+          (check.holds() ? "all laws hold" : "the error is " + brief(left) + " times as large") +
+          ": " + mistake.because + ".";
+      if (check.holds()) return;
     }
   }
 
@@ -197,6 +177,7 @@ private:
     OwnedAnswer nearest(layout_);
     refine(problem, z, nearest);
     const double tolerance = report_.tolerance;
+    find_imbalance();
     if (report_.residual <= tolerance) {
       // Of an answer with few digits, the exact one next to it; a motion alone stands as it is.
       const bool closer =
@@ -209,7 +190,6 @@ private:
     report_.told = is_given ? 0 : static_cast<std::size_t>(worst_row() - report_.rows.begin());
     const BrokenRow& told = report_.rows[report_.told];
     report_.because = std::string(law_text(told)) + ": " + told.name;
-    find_imbalance();
     report_.acceleration = answer_.acceleration.head<3>();
     bool feasible = z.allFinite();
     const Eigen::VectorXd w = problem.w(z);
@@ -233,8 +213,12 @@ private:
     Vector3<double> left = object.wrench.head<3>() + object.mass * push_.scene().gravity -
                            object.mass * answer_.acceleration.head<3>();
     for (const ForeignBody& body : given_.bodies) left += *body.force;
-    if (push_.scene().planar) left[2] = 0;
-    report_.imbalance = left;
+    if (push_.scene().planar) {
+      if (std::abs(left[2]) > report_.tolerance * layout_.scales.force)
+        report_.out_of_plane = left[2];
+      left[2] = 0;
+    }
+    if (!holds()) report_.imbalance = left;
   }
 
   void refine(const DenseProblem& problem, const Eigen::VectorXd& z, Answer<double>& refined) {
@@ -317,7 +301,7 @@ VerifyReport verify_break(const SceneFile& file, const ForeignAnswer& given,
                   "N",
                   {},
                   {}}};
-  const double close = close_by(options.tolerance) * size;
+  const double close = std::max(options.tolerance, VerifySettings::same_answer) * size;
   if (off(lawful) <= close)
     report.verdict = Verdict::same_solution;
   else if (!(least <= close) || !own.breaking.breaks)

@@ -3,7 +3,6 @@
 #include "verify/settings.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace lcpush::desktop {
 namespace {
@@ -102,11 +101,12 @@ public:
       if (const auto& spin = given_.contacts[i].spin)
         note(*spin, answer_.contacts[static_cast<Index>(i)].spin, per_length(scales_.acceleration),
              "rad/s^2", "the spin of " + point_name(file_, static_cast<Index>(i)), motion_);
-    for (Index k = 0; given_.acceleration && k < 6; ++k)
-      note((*given_.acceleration)[k], answer_.acceleration[k],
-           k < 3 ? scales_.acceleration : per_length(scales_.acceleration),
-           k < 3 ? "m/s^2" : "rad/s^2", "the object's acceleration" + axis_words(k),
-           "lcpush's own answer has");
+    for (Index k = 0; given_.acceleration && k < 6; ++k) {
+      const double found = (*given_.acceleration)[k], lawful = answer_.acceleration[k];
+      const double unit = beside_the_push(found - lawful, k < 3 ? 1 : scales_.length);
+      note(found, lawful, k < 3 ? unit : per_length(unit), k < 3 ? "m/s^2" : "rad/s^2",
+           "the object's acceleration" + axis_words(k), "lcpush's own answer has");
+    }
     return worst_;
   }
 
@@ -121,6 +121,12 @@ private:
   BrokenRow worst_;
 
   double per_length(double x) const { return x / scales_.length; }
+  /// Where most of the prescribed motion is missing, that is the unit: no tolerance allows it.
+  double beside_the_push(double off, double length) const {
+    const double push = push_size(scene_);
+    const bool is_large = push > 0 && std::abs(off) * length > push / 2;
+    return is_large ? std::min(push, scales_.acceleration) : scales_.acceleration;
+  }
   static std::string axis_words(Index k) {
     return (k < 3 ? " along " : " about ") + std::string(1, "xyz"[k % 3]);
   }
@@ -130,14 +136,10 @@ private:
             const std::string& what, const char* source) {
     const double off = found - lawful;
     if (!is_worse(off / unit, worst_.scaled)) return;
-    const double zero = VerifySettings::negligible * unit;
-    int digits = VerifySettings::told_digits; // as many as show that they differ
-    while (digits < std::numeric_limits<double>::max_digits10 &&
-           in_digits(found, digits, zero) == in_digits(lawful, digits, zero))
-      ++digits;
-    const auto told = [&](double x) { return in_digits(x, digits, zero) + " " + unit_name; };
+    const auto [is, should] = told_apart(found, lawful, VerifySettings::negligible * unit);
     worst_ = {std::nullopt,
-              what + " is " + told(found) + ", where " + source + " " + told(lawful),
+              what + " is " + is + " " + unit_name + ", where " + source + " " + should + " " +
+                  unit_name,
               std::abs(off / unit),
               std::abs(off),
               unit_name,
@@ -173,14 +175,20 @@ private:
   }
 };
 
-/// Where most of an actuator's load is missing, the load itself is the unit: no tolerance allows
-/// that, however large the scene's other forces are.
-Violation<double> beside_its_load(const Scene<double>& scene, Violation<double> row) {
-  if (row.law != Law::grip) return row;
-  const double load = std::abs(scene.actuators[row.of].force), off = row.scaled * row.unit;
-  if (!(load < row.unit) || !(std::abs(off) > load / 2) || !(load > 0)) return row;
-  row.unit = load;
-  row.scaled = off / load;
+/// Where most of an actuator's load is missing, or a contact goes otherwise by most of the
+/// prescribed motion, that is the unit: no tolerance allows it, however large the scene's other
+/// forces and accelerations are.
+Violation<double> beside_what_is_asked(const Scene<double>& scene, const Scales<double>& scales,
+                                       const Answer<double>& answer, Violation<double> row) {
+  const bool is_motion = (row.law == Law::normal || row.law == Law::pusher) && row.moves;
+  if (row.law != Law::grip && !is_motion) return row;
+  const double asked = is_motion ? push_size(scene) : std::abs(scene.actuators[row.of].force);
+  const double off = row.scaled * row.unit;
+  if (!(asked < row.unit) || !(std::abs(off) > asked / 2) || !(asked > 0)) return row;
+  row.unit = asked;
+  row.scaled = off / asked;
+  if (row.law == Law::normal && off > 0) // it presses while it separates: the smaller of both
+    row.scaled = std::min(row.scaled, answer.contacts[row.of].normal_force / scales.force);
   return row;
 }
 
@@ -191,7 +199,8 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
   std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
   std::vector<bool> any(worst.size());
   check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& shown) {
-    const Violation<double> row = beside_its_load(push.scene(), shown);
+    const Violation<double> row =
+        beside_what_is_asked(push.scene(), push.layout().scales, answer, shown);
     const auto law = static_cast<std::size_t>(row.law);
     if (!any[law] || is_worse(row.scaled, std::abs(worst[law].scaled))) worst[law] = row;
     any[law] = true;

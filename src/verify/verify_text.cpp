@@ -72,6 +72,13 @@ std::string imbalance_sentence(const VerifyReport& report) {
          ", the bodies' forces and its load leave " + told(*report.imbalance, "N") + ".\n";
 }
 
+/// "Along z the forces leave 5.6 N: ..", of a planar scene.
+std::string plane_sentence(const VerifyReport& report) {
+  if (report.out_of_plane == 0) return "";
+  return "Along z the bodies' forces leave " + short_number(std::abs(report.out_of_plane)) +
+         " N. That is not judged: a planar scene has no balance there.\n";
+}
+
 std::string hint_line(const VerifyReport& report) {
   return report.hint.empty() ? "" : report.hint + "\n";
 }
@@ -152,9 +159,15 @@ std::string broken_lines(const std::vector<BrokenRow>& rows) {
   return text;
 }
 
-/// Of an answer that is off by no more than numbers of three digits are.
-std::string rounding_sentence(const VerifyReport& report) {
-  if (!report.hint.empty() || !(report.residual <= VerifySettings::rounded)) return "";
+/// Of an answer that is off by no more than numbers of three digits are, a number told for itself.
+std::string rounding_sentence(const SceneFile& file, const VerifyReport& report) {
+  const BrokenRow& told = report.rows[report.told];
+  const bool is_motion = told.unit == "m/s^2"; // small beside weights, not beside the push
+  const double size = told.found ? std::max(std::abs(*told.found), std::abs(*told.lawful))
+                                 : std::max(push_size(file.view()), report.acceleration.norm());
+  const bool is_number_off = (told.found || is_motion) && told.si > VerifySettings::rounded * size;
+  if (!report.hint.empty() || is_number_off || !(report.residual <= VerifySettings::rounded))
+    return "";
   return "That is within the rounding of " + counted(VerifySettings::told_digits, "digit") +
          ": --tolerance " + next_tolerance(report.residual) + " takes it.\n";
 }
@@ -167,15 +180,16 @@ std::string worst_size(const VerifyReport& report) {
   return short_number(worst->si) + " " + worst->unit;
 }
 
-std::string brief_verdict(const VerifyReport& report) {
+std::string brief_verdict(const SceneFile& file, const VerifyReport& report) {
   const bool valid = is_valid(report.verdict);
   std::string text = headline(report) + hint_line(report) + imbalance_sentence(report) +
                      fit_sentence(report, valid ? "" : worst_size(report));
   for (const std::string& what : report.completed) text += "Filled in: " + what + ".\n";
+  text += plane_sentence(report);
   if (valid) return text + own_sentence(report);
   const std::vector<BrokenRow> broken = broken_rows(report);
   // Of a single law the first sentence has said it.
-  text += rounding_sentence(report);
+  text += rounding_sentence(file, report);
   if (broken.size() < 2) return text;
   return text + "\nThe laws that do not hold, and their worst rows:\n" + broken_lines(broken);
 }
@@ -195,7 +209,7 @@ std::string law_table(const VerifyReport& report) {
 std::string verify_text(const SceneFile& file, const VerifyReport& report, Telling telling) {
   const std::string text = title_line(file);
   if (report.verdict == Verdict::other_data) return text + headline(report);
-  if (telling == Telling::brief) return text + brief_verdict(report);
+  if (telling == Telling::brief) return text + brief_verdict(file, report);
   std::vector<Fact> facts{tolerance_fact(report)};
   for (const std::string& what : report.completed) facts.push_back({"Filled in", what});
   if (report.refined.found) facts.push_back(basis_fact(report.refined));
@@ -206,8 +220,8 @@ std::string verify_text(const SceneFile& file, const VerifyReport& report, Telli
   facts.push_back(metrics_fact(report.metrics));
   facts.push_back({"Paper's objective", short_number(report.objective) + " N m/s^2"});
   const std::string broken = broken_lines(broken_rows(report));
-  return text + headline(report) + hint_line(report) + imbalance_sentence(report) + "\n" +
-         facts_text(facts) + "\n" + law_table(report) +
+  return text + headline(report) + hint_line(report) + imbalance_sentence(report) +
+         plane_sentence(report) + "\n" + facts_text(facts) + "\n" + law_table(report) +
          (broken.empty() ? "" : "\nThe worst rows of the broken laws:\n" + broken);
 }
 

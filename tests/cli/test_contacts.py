@@ -187,11 +187,28 @@ class Contacts(ToolTest):
             self.assertEqual((result.returncode, result.stdout), (2, ""), message)
             self.assertIn(message, unwrapped(result.stderr))
             self.assertIn("problem.json", unwrapped(result.stderr))
-        jam = {**good, "W": [[0] * 3] * 3}  # nothing moves: no force opens it
-        self.assertEqual(json_of("contacts", self.written(jam))["status"], "stagnated")
-        self.assertIn("the solver did not end", run("contacts", self.written(jam)).stdout)
         self.assertEqual(run("contacts", self.written({**good, "g": good["b"]})).returncode, 0)
         self.assertIsNone(json_of("contacts", self.written({**good, "r": [0, 0, 0]}))["hint"])  # 0 has no order
+        unread = run("contacts", self.written({**good, "forces": [1, 0, 0]})).stdout
+        self.assertIn('Not read of the file: forces. Forces to be judged are called "r".', unread)
+        nearly = run("contacts", self.written({**good, "r": [1, 0.50002, 0]})).stdout
+        self.assertIn("friction is 0.50002, and mu r_n is 0.5", unwrapped(nearly))
+
+    def test_where_nothing_holds_that_is_shown(self):
+        jam = {"W": [[0] * 3] * 3, "b": [-1, 0, 0], "mu": [0.5]}  # nothing moves: no force opens it
+        rows = [[s * (m == n) for s in (1, -1) for n in range(3)] for m in range(3)]
+        squeezed = {"W": rows + [[-x for x in row] for row in rows], "b": [-1, 0, 0, -3, 0, 0], "mu": [0.5] * 2}
+        for problem, words in ((jam, "There are no such forces: contact 1 closes at 1, whatever presses."),
+                               (squeezed, "of contacts 1 and 2 the normal velocities sum up to -4")):
+            for options in ((), ("--facets", 8)):
+                answer = json_of("contacts", self.written(problem), *options)
+                self.assertEqual((answer["status"], len(answer["none"])), ("no_solution", len(problem["mu"])))
+                for weight in answer["none"]:
+                    self.assertAlmostEqual(weight, 1, 6)
+                self.assertIsNone(answer["residuals"]["lcp"])
+                self.assertIn(words, unwrapped(run("contacts", self.written(problem), *options).stdout))
+        eased = {**squeezed, "b": [-1, 0, 0, 3, 0, 0]}  # as fast as the one closes the other may open
+        self.assertEqual(json_of("contacts", self.written(eased))["status"], "solved")
 
 
 main()

@@ -40,6 +40,37 @@ class Trajectory(ToolTest):
             report, code = self.verdict(scene, self.file("m.json", motion))
             self.assertEqual((report["verdict"], code), ("follows", 0), name)
 
+    def test_bodies_do_not_go_into_each_other(self):
+        scene = SOURCE / "docs/check/block.toml"  # a wall pushes a box at 10 mm/s
+
+        def moves(speed, names="time,x,y,z"):
+            rows = [f"{k / 100},{speed * k / 100}" + ",0" * (names.count(",") - 1) for k in range(11)]
+            return self.verdict(scene, self.file("m.csv", "\n".join([names, *rows])))
+        for speed, depth in ((0, 1e-3), (0.005, 5e-4), (0.0098, 2e-5)):
+            report, code = moves(speed)
+            self.assertEqual((report["verdict"], code), ("differs", 1), speed)
+            self.assertAlmostEqual(report["overlap"], depth, 9)
+        self.assertIn("at 0.1 s wall.1 is 1 mm inside its face",
+                      unwrapped(run("verify", scene, "--trajectory", self.file("m.csv", "time,x,y,z\n0,0,0,0\n0.05,0,0,0\n0.1,0,0,0")).stdout))
+        report, code = moves(0.01)
+        self.assertEqual((report["verdict"], code, report["overlap"], report["hint"]), ("follows", 0, 0, None))
+        self.assertEqual(moves(0.01, "time,x,y,z,roll,pitch,yaw")[0]["unread"], ["roll", "pitch", "yaw"])
+
+    def test_other_units_and_orders_are_told(self):
+        frames = json.loads(self.own("--json"))["frames"]
+        large = {"frames": [{"time": f["time"], "position": [1e3 * x for x in f["position"]],
+                             "rotation": f["rotation"]} for f in frames]}
+        self.assertIn("these look like millimetres", self.verdict(PIVOT, self.file("m.json", json.dumps(large)))[0]["hint"])
+        rows = ["time,x,y,z,qw,qx,qy,qz"]
+        for frame in frames:
+            r = frame["rotation"]
+            w = math.sqrt(1 + r[0] + r[4] + r[8]) / 2
+            q = [(r[7] - r[5]) / 4 / w, (r[2] - r[6]) / 4 / w, (r[3] - r[1]) / 4 / w, w]
+            rows.append(",".join(map(str, [frame["time"], *frame["position"], *q])))
+        self.assertIn("quaternions have w first", self.verdict(PIVOT, self.file("m.csv", "\n".join(rows)))[0]["hint"])
+        refused = run("verify", PIVOT, "--trajectory", self.file("m.csv", "t,px,py,pz\n0,0,0,0"))
+        self.assertIn('here it is "time", "px", "py" and "pz"', unwrapped(refused.stderr))
+
     def test_an_exact_fall_follows(self):
         scene = self.file("weak.toml", HELD.replace("grip_force = 12", "grip_force = 0.1"))
         down = 9.81 - 2 * 0.7 * 0.1 / 0.045

@@ -287,6 +287,37 @@ for given, words in ((sums(sign=-1), "With every force turned round all laws hol
     assert status == 1 and report["hint"].startswith(words), report
 assert verify(block, wrong)[1]["hint"] is None
 
+
+def changed(factor=1, of_moments=1, vector=lambda v: v, moment=None):
+    moment = moment or vector
+    return {"bodies": [{"name": body["name"], "force": [factor * x for x in vector(body["force"])],
+                        "moment": [factor * of_moments * x for x in moment(body["moment"])]} for body in own["bodies"]]}
+
+
+# So are other units and other axes.
+for given, words in ((changed(1 / 9.80665), "these look like kilogram-force"), (changed(1000), "these look like millinewtons"),
+                     (changed(of_moments=1000), "these look like N mm"),
+                     (changed(vector=lambda v: [v[1], v[0], v[2]], moment=lambda v: [-v[1], -v[0], -v[2]]),
+                      "With x and y of every vector interchanged all laws hold"),
+                     (changed(vector=lambda v: [v[0], -v[2], v[1]]), "With every vector turned by -90 degrees about x"),
+                     ({"object": {"acceleration": [10, 0, 0, 0, 0, 0]}}, "it looks like mm/s^2")):
+    status, report = verify(block, given)
+    assert status == 1 and words in (report["hint"] or ""), (words, report)
+# What was not given is not turned.
+assert verify(block, {"bodies": [{"name": "wall", "moment": [0, 0, 0.5]}]})[1]["hint"] is None
+
+# Twice the prescribed motion, or none, is no rounding beside gravity, and no tolerance takes it.
+for acceleration in (0.02, 0):
+    given = {"object": {"acceleration": [acceleration, 0, 0, 0, 0, 0]}}
+    for options in ((), ("--tolerance", 0.001), ("--tolerance", 0.1)):
+        assert verify(block, given, *options)[0] == 1, (given, options)
+        assert "rounding" not in run("verify", block, answer_path, *options).stdout, (given, options)
+# What is called the same is within what is allowed.
+lawful = json.loads(run("break", block, "--json").stdout)["break_force"]
+for off, right in ((0, True), (1e-7, True), (2e-5, False)):
+    status, report = verify(block, {"break_force": lawful * (1 + off)})
+    assert (status == 0) == right == (report["residual"] <= 1e-6), (off, report)
+
 # Friction beyond its cone is so many newtons beyond it.
 beyond = copy.deepcopy(own)
 beyond["contacts"][0]["friction_force"][0] *= 1.5

@@ -24,6 +24,7 @@ struct ContactProblem {
   Eigen::VectorXd s;                ///< e
   std::optional<Eigen::VectorXd> r; ///< 3k: somebody's, to be judged
   bool normal_last = false;         ///< in the file, and in what is written: tangents come first
+  std::vector<std::string> unread;  ///< keys of the file that say nothing here
 
   Index contacts() const { return mu.size(); }
 };
@@ -45,9 +46,12 @@ struct ContactResidual {
 };
 
 struct ContactForces {
-  bool is_good = false; ///< solved, or what was given is right
-  Index facets = 0;     ///< of pyramids; 0: round cones
-  double lcp = 0;       ///< of pyramids: the residual of the complementarity problem [T.11]
+  bool is_good = false;      ///< solved, or what was given is right
+  Index facets = 0;          ///< of pyramids; 0: round cones
+  std::optional<double> lcp; ///< of pyramids that are solved: the residual of their problem [T.11]
+  /// There are no forces: with these weights >= 0, one a contact, the normal velocities sum up to
+  /// less than 0 whatever presses. Empty: not known.
+  Eigen::VectorXd none;
   double tolerance = 0; ///< of the residuals
   Eigen::VectorXd r, u, l;
   std::vector<ForceMode> modes;
@@ -71,6 +75,10 @@ ContactForces solve_contact_pyramids(const ContactProblem& problem, Index facets
 /// The residuals of r; what V needs beside it, l, is fitted unless it is given.
 ContactForces judge_contacts(const ContactProblem& problem, const Eigen::VectorXd& r,
                              double tolerance, const Eigen::VectorXd* l = nullptr);
+
+/// Does W leave these normal forces' velocities alone, while b lets their points close? Then no
+/// forces keep them from it, and these are the weights that show it; else empty.
+Eigen::VectorXd contradiction(const ContactProblem& problem, const Eigen::VectorXd& r);
 
 /// The same numbers, read with the normal at the other place.
 ContactProblem in_other_order(ContactProblem problem);

@@ -38,13 +38,18 @@ struct TrajectoryFrame {
   bool has_rotation = true;           ///< false: nothing is said, and it is taken not to turn
 };
 
-/// Frames of a JSON object as `lcpush move --json` writes it, or of a CSV file with a head and the
+struct Trajectory {
+  std::vector<TrajectoryFrame> frames;
+  std::vector<std::string> unread; ///< columns, or keys of frames, that say nothing here
+};
+
+/// Of a JSON object as `lcpush move --json` writes it, or of a CSV file with a head and the
 /// columns time (or t), x, y, z, then r11 .. r33 or qw, qx, qy, qz unless it does not turn, and if
 /// they are known vx .. wz and forces. Throws InputError: not of this shape, times that do not
 /// grow, no rotation, bodies or contacts that the scene has not. `file_name` only names the text in
 /// messages.
-std::vector<TrajectoryFrame> parse_trajectory(const std::string& text, const std::string& file_name,
-                                              const SceneFile& scene);
+Trajectory parse_trajectory(const std::string& text, const std::string& file_name,
+                            const SceneFile& scene);
 
 enum class TrajectoryVerdict {
   follows,      ///< every step is the laws' own, within the tolerance
@@ -102,6 +107,16 @@ struct MissedChange {
   double from = 0, until = 0; ///< s
 };
 
+/// A point that goes into its face, which no law of contact allows. Geometry alone, of bodies whose
+/// place is known.
+struct Overlap {
+  Index point = -1; ///< none: nothing does
+  double speed = 0; ///< m/s, at which it goes deeper in the worst step
+  double time = 0;  ///< s, at that step's end
+  double depth = 0; ///< m, most that it goes deeper than it was at the first frame
+  double until = 0; ///< s, when it does
+};
+
 /// Steps are compared one by one, each begun where the other motion is.
 struct TrajectoryReport {
   TrajectoryVerdict verdict = TrajectoryVerdict::differs;
@@ -112,9 +127,12 @@ struct TrajectoryReport {
   double worst_time = 0; ///< s, at that step's end
   double mean = 0;       ///< m/s
   MissedChange missed;   ///< over several steps
+  Overlap overlap;       ///< of the point that goes deeper fastest
   /// m: the positions are relative to another origin, and so are judged from their first on.
   std::optional<Vector3<double>> offset;
   bool has_rotation = true;          ///< as its frames
+  std::vector<std::string> unread;   ///< as its file
+  std::string hint;                  ///< other units or order with which it would fit; or empty
   Status status = Status::solved;    ///< of the step that stopped
   double creep = 0;                  ///< m/s, mean speed of the contact point that goes farthest
   std::optional<double> held;        ///< so many times the grip that holds: the scene's own
@@ -122,8 +140,7 @@ struct TrajectoryReport {
 };
 
 /// `tolerance`: as a part of the fastest speed, and of the largest force.
-TrajectoryReport verify_trajectory(const SceneFile& file,
-                                   const std::vector<TrajectoryFrame>& trajectory,
+TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& trajectory,
                                    double tolerance);
 
 std::string trajectory_text(const SceneFile& file, const TrajectoryReport& report);

@@ -82,7 +82,8 @@ struct VerifyReport : JudgedAnswer {
   Vector3<double> acceleration = Vector3<double>::Zero(); ///< m/s^2, with which it was judged
   /// N, where every body's force is given: what they and the load leave beside it.
   std::optional<Vector3<double>> imbalance;
-  std::string hint; ///< a change of signs with which the laws hold; empty: none
+  double out_of_plane = 0; ///< N, the same along z of a planar scene, where no law asks for it
+  std::string hint; ///< a change of signs, units or axes with which the laws hold; empty: none
   std::vector<std::string> completed;
   double objective = 0;       ///< N m/s^2, what the paper's program minimises
   FinalBasis basis;           ///< other answers next to this one
