@@ -52,6 +52,12 @@ Result run_hold(const Values& values, Listener& listener) {
   for (const std::string& text : values.texts("direction"))
     question.directions.push_back(read_direction(values, text));
   question.with_sections = format == "svg";
+  question.presses = values.has("press");
+  if (question.presses && presses_of(file).empty())
+    values.refuse("press", values.label("press") + " counts what pushers press with, and no pusher "
+                                                   "of this scene has a normal_force");
+  if (question.presses && !scene.ranges().empty())
+    values.refuse("press", values.label("press") + " goes with numbers, not with ranges");
   PushOptions options;
   options.watcher = options.searching = &listener;
   if (!scene.ranges().empty() && format != "svg") {
@@ -79,7 +85,8 @@ Command hold_command() {
       "The least grip that holds the object's load, and what the grasp bears beyond it: the\n"
       "largest force, moment and acceleration of the hand along each axis and in the direction\n"
       "in which it is weakest, what gives way first there, a mass that may be added, how far\n"
-      "gravity may turn. Pushers are left out. Friction and pressure are those of the scene.\n"
+      "gravity may turn. Pushers are left out, or press (--press). Friction and pressure are those "
+      "of the scene.\n"
       "With --tolerance, or where its numbers are ranges, it says whether the load is held for\n"
       "every value.\n\n"
       "Examples:\n"
@@ -90,6 +97,8 @@ Command hold_command() {
           {{"at", "\"X Y Z\"", "where forces act (m, the scene's frame); else the centre of mass"},
            {"direction", "\"WHAT X Y Z\"",
             "also this one: force, moment or acceleration, and where to; may be repeated", true},
+           {"press", "",
+            "pushers with a normal_force press with it, without friction: a load to hold"},
            pressure_option,
            facets_option,
            tolerance_option,

@@ -11,7 +11,13 @@ GiveWay read_motion(const SceneFile& file, const GripStatics& statics,
                     const Eigen::VectorXd& motion,
                     const std::vector<StaticsProgram::Contact>& contacts);
 
-/// "turns in the pads", "slides along -z at left and right", "tips over table".
-std::string give_way_words(const SceneFile& file, const GiveWay& gives);
+/// What the laws do with a hand whose load it does not hold; none: they hold it, or no answer was
+/// found. A dual shows one of the motions that cost as little, and friction that lifts.
+std::optional<GiveWay> read_fall(const SceneFile& hand, const PushOptions& options);
+
+/// "turns it about +z in the pads", "slides it along -z over left and right", "tips it, ..". `way`:
+/// instead of "about +z", "along -z".
+std::string give_way_words(const SceneFile& file, const GiveWay& gives,
+                           const std::string& way = "");
 
 } // namespace lcpush::desktop

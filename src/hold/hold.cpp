@@ -172,7 +172,36 @@ public:
     study_.most = law_->most_grip();
   }
 
+  /// What a load beyond a limit that is told does, and one that is not held.
+  void find_falls() {
+    const auto look = [&](double factor, const Vector6<double>& more, GiveWay& gives) {
+      SceneFile there = with_grip(hand_, factor);
+      there.object.wrench += more;
+      if (const std::optional<GiveWay> fall = read_fall(there, options_)) gives = *fall;
+    };
+    if (!study_.held.value_or(false)) {
+      const bool is_known = study_.factor > 0 && study_.factor < no_limit;
+      return look(is_known ? (1 - hold_settings.beyond) * study_.factor : 1,
+                  Vector6<double>::Zero(), study_.falls);
+    }
+    const auto beyond = [&](HoldLimit& limit) {
+      if (limit.limit > 0 && limit.limit < no_limit)
+        look(1,
+             (1 + hold_settings.beyond) * limit.limit *
+                 unit_wrench(hand_, limit.what.kind, limit.what.direction, at()),
+             limit.gives);
+    };
+    for (std::size_t k = 0; k < study_.limits.size(); ++k) {
+      const auto kind = static_cast<std::size_t>(study_.limits[k].what.kind);
+      const bool is_weak =
+          study_.limits[k].limit <= (1 + hold_settings.told) * study_.weakest[kind].limit;
+      if (k >= asked_first_ || (is_weak && kind < 2)) beyond(study_.limits[k]);
+    }
+    for (std::size_t kind = 0; kind < 2; ++kind) beyond(study_.weakest[kind]);
+  }
+
 private:
+  static constexpr std::size_t asked_first_ = 18; ///< of the limits: those along axes come first
   const SceneFile& hand_;
   const PushOptions& options_;
   HoldStudy& study_;
@@ -225,10 +254,26 @@ private:
 
 } // namespace
 
+std::vector<Press> presses_of(const SceneFile& file) {
+  std::vector<Press> list;
+  for (const Drive<double>& drive : file.drives)
+    if (file.body(drive.body).role == Role::pusher)
+      list.push_back({drive.body, file.actuators[static_cast<std::size_t>(drive.actuator)].force});
+  return list;
+}
+
 HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
                     const PushOptions& options) {
   HoldStudy study;
-  const SceneFile hand = hand_at_rest(file);
+  SceneFile hand = hand_at_rest(file);
+  study.presses = question.presses;
+  for (const Press& press : question.presses ? presses_of(file) : std::vector<Press>()) {
+    const Body<double>& body = file.body(press.body);
+    Vector3<double> middle = Vector3<double>::Zero();
+    for (const Index i : points_of(body))
+      middle += file.points[static_cast<std::size_t>(i)] / static_cast<double>(body.point_count);
+    hand.object.wrench += wrench_column<double>(middle, press.force * body.normal);
+  }
   study.at = question.at.value_or(file.object.center_of_mass);
   study.grip = named_grip(file);
   for (std::size_t k = 0; k < 3; ++k) study.weakest[k].what.kind = static_cast<Disturbance>(k);
@@ -255,8 +300,12 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
     limit.what = direction;
     study.limits.push_back(holds ? asked.limit(direction) : limit);
   }
-  if (!holds) return study;
+  if (!holds) {
+    asked.find_falls();
+    return study;
+  }
   for (HoldLimit& weakest : study.weakest) weakest = asked.weakest(weakest.what.kind);
+  asked.find_falls();
   study.tilt = asked.tilt();
   for (const Disturbance kind : {Disturbance::force, Disturbance::moment})
     for (Index along = 0; question.with_sections && along < 3; ++along)

@@ -57,7 +57,7 @@ std::string falls_words(const SceneFile& file, const HoldStudy& study) {
   if (study.factor <= 1)
     return "Not held: the grip is too hard; from " + grip_text(study, study.factor) + " to " +
            grip_text(study, study.most) + " would hold " + object + ".";
-  return "Not held: it takes " + brief(study.factor) + " times the grip, " +
+  return "Not held: it takes " + told_apart(study.factor, 1).first + " times the grip, " +
          grip_text(study, study.factor) + "; with less the load " +
          give_way_words(file, study.falls) + ".";
 }
@@ -119,8 +119,9 @@ const HoldLimit* least_of(const SceneFile& file, const HoldStudy& study) {
   return least;
 }
 
-bool loads(const SceneFile& file) {
-  return !file.gravity.isZero(0) || !file.object.wrench.isZero(0);
+bool loads(const SceneFile& file, const HoldStudy& study) {
+  return (study.presses && !presses_of(file).empty()) || !file.gravity.isZero(0) ||
+         !file.object.wrench.isZero(0);
 }
 
 std::string cell(double value, bool is_held) {
@@ -144,6 +145,20 @@ TableRows limit_rows(const HoldStudy& study) {
   return rows;
 }
 
+/// How it gives way, told for all axes that are as weak.
+std::string gives_words(const SceneFile& file, const HoldStudy& study, const HoldLimit& weakest) {
+  const std::vector<const HoldLimit*> axes = weak_axes(study, weakest.what.kind);
+  std::string way;
+  if (axes.size() > 1 && axes.front() == &weakest) {
+    const std::string along = direction_text(weakest.gives.along);
+    if (along == direction_text(weakest.what.direction))
+      way = "that way";
+    else if (weakest.gives.turns && along.size() == 2) // "+z"
+      way = "about " + along.substr(1);
+  }
+  return give_way_words(file, weakest.gives, way);
+}
+
 /// "along (0, 0.6, 0.8): slides it along -z over left and right".
 std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
   std::string text;
@@ -152,7 +167,7 @@ std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
     if (!(limit.limit < no_limit)) continue;
     if (!text.empty()) text += "\n";
     text += limit.limit > 0
-                ? against_weakest(study, limit) + ", which " + give_way_words(file, limit.gives)
+                ? against_weakest(study, limit) + ", which " + gives_words(file, study, limit)
                 : against(limit) + ", which nothing resists";
   }
   return text;
@@ -178,8 +193,22 @@ std::string statics_text(const SceneFile& file, const HoldStudy& study) {
   return text.empty() || !has_patches(file) ? text : text + "; pressure would have to shift";
 }
 
+/// "wall, which presses with 3 N".
+std::vector<Fact> press_facts(const SceneFile& file, const HoldStudy& study) {
+  std::vector<std::string> list;
+  for (const Press& press : presses_of(file))
+    list.push_back(file.body_name(press.body) +
+                   (study.presses ? " with " : ", which presses with ") + brief(press.force) +
+                   " N");
+  if (list.empty()) return {};
+  return {{study.presses ? "Pressed by" : "Left out",
+           listed(list, "and") +
+               (study.presses ? ", without friction" : "; --press counts it as a load")}};
+}
+
 std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
   std::vector<Fact> facts{hand_fact(file)};
+  for (const Fact& fact : press_facts(file, study)) facts.push_back(fact);
   if (study.grip.force > 0 && std::isfinite(study.factor))
     facts.push_back(
         {"Least grip", grip_text(study, study.factor) + " (of " + brief(study.grip.force) + ")" +
@@ -210,7 +239,7 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
     facts.push_back(
         {"Added mass",
          (std::isinf(study.added_mass) ? "as much as you like," : brief(study.added_mass) + " kg") +
-             " at its centre"});
+             (study.at == file.object.center_of_mass ? " at its centre" : " at that point")});
   if (!std::isnan(study.tilt))
     facts.push_back({"Tilt", brief(study.tilt * degrees_a_radian) + " degrees of gravity, any way" +
                                  (study.is_statics ? "" : ", by statics")});
@@ -233,8 +262,9 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& given) {
   if (!std::isnan(study.margin()))
     text += " with " + brief(study.margin()) + " times the grip it needs";
   else if (study.factor == 0 && study.grip.force > 0)
-    text += loads(file) ? " without any grip force"
-                        : " without any grip force, as nothing loads it (no gravity, no force)";
+    text += loads(file, study)
+                ? " without any grip force"
+                : " without any grip force, as nothing loads it (no gravity, no force)";
   else if (study.grip.force == 0)
     text += " where it rests";
   const HoldLimit* const least = study.limits.empty() ? nullptr : least_of(file, study);
@@ -246,7 +276,7 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& given) {
     }
   if (least == nullptr) return text + ".";
   return text + beside + against_weakest(study, *least) + ": " + brief(least->limit) + " " +
-         units[static_cast<int>(least->what.kind)] + " " + give_way_words(file, least->gives) + ".";
+         units[static_cast<int>(least->what.kind)] + " " + gives_words(file, study, *least) + ".";
 }
 
 std::string hold_text(const SceneFile& file, const HoldStudy& given) {

@@ -26,6 +26,8 @@ struct HoldSettings {
   Index unused_facets = 4; ///< where friction is round
   /// The law, of the scene's own points, is asked with so much less than its surfaces hold.
   double of_points = 0.03;
+  /// Of a limit: what a load so much larger does is told; points bear at most `of_points` less.
+  double beyond = 0.05;
   double pad_work = 1e9; ///< multiplications of pads' programs: then their limits are not known
 };
 

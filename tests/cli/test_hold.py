@@ -126,6 +126,27 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(answer["weakest"]["force"]["limit"], (20 - WEIGHT) / math.hypot(1, 0.5), 5)
         self.assertEqual(len(answer["weakest"]["force"]["first"]), 1)
 
+    def test_a_press_is_held_beside_the_weight(self):
+        for force, friction in ((3, 0.8), (12, 0.5)):
+            text = scene(finger("left", [0, 0, 0.02], [0, 0, -1], grip_force=20, friction=friction)
+                         + finger("right", [0, 0, -0.02], [0, 0, 1], grip_force=20, friction=friction),
+                         gravity=(0, -9.81, 0)) + table(
+                "[[pusher]]", name="stop", shape="point", on="-x", friction=0.3, normal_force=force)
+            least = math.hypot(force, WEIGHT) / 2 / friction
+            self.assertAlmostEqual(hold(text, "--press")["least_grip"]["force"], least, 5)
+            self.assertAlmostEqual(hold(text)["least_grip"]["force"], WEIGHT / 2 / friction, 5)
+            self.assertIn("--press counts it", run("-", text=text).stdout)
+        self.assertEqual(run("-", "--press", text=scene(pinch())).returncode, 2)
+
+    def test_what_gives_way_is_what_the_laws_do_beyond_the_limit(self):
+        def told(text):
+            return " ".join(run("-", text=text).stdout.split())
+        falls = told(scene(pinch(force=1, friction=0.3), gravity=(0, 0, -9.81)))
+        self.assertIn("with less the load slides it along -z over left and right", falls)
+        self.assertIn("which tips it, and it parts from table", told(scene(legs(friction=2), mass=1)))
+        self.assertIn("which slides it that way over left and right",
+                      told(scene(pinch(shape="disc", radius=0.006, points=8), gravity=(0, 0, 0))))
+
     def test_soft_points_resist_a_twist_with_their_ellipsoid(self):
         self.judge(scene(pinch(torsion_radius=0.004)), WEIGHT / 20, [
             ("moment", (0, 1, 0), 2 * 0.004 * math.sqrt(10 ** 2 - (WEIGHT / 2) ** 2))])

@@ -34,6 +34,7 @@ struct HoldQuestion {
   std::vector<HoldDirection> directions; ///< beside the axes
   bool with_sections = false;            ///< for a picture
   bool grip_alone = false;               ///< nothing beyond the load
+  bool presses = false; ///< pushers with a normal force press with it, without friction: a load
 };
 
 /// How a grasp gives way: by the dual of a limit, a motion that the load drives.
@@ -42,6 +43,7 @@ struct GiveWay {
                                            ///< force is all it has
   std::vector<Index> leaves;               ///< of those that open, all of whose points do
   bool turns = false;                      ///< in the contacts that slip, or about what stays
+  bool slides_too = false;                 ///< it turns, and the contacts slip one way all the same
   Vector3<double> along = Vector3<double>::Zero(); ///< unit: the turn's axis, or where it slides
 };
 
@@ -72,6 +74,7 @@ struct HoldStudy {
   std::optional<HoldReport> other; ///< held, but an answer of the laws, which leave forces open,
                                    ///< does not hold it
   GripReport grip;                 ///< whose force factors are of
+  bool presses = false;            ///< what presses is part of the load
   double factor = unknown_number;  ///< least, on all grip forces; no_limit: no grip holds
   double most = no_limit;          ///< no larger one holds; nan: not known
   double statics_factor = unknown_number, statics_most = no_limit; ///< the same of statics
@@ -88,6 +91,13 @@ struct HoldStudy {
   /// Grip over least grip.
   double margin() const { return factor > 0 && factor < no_limit ? 1 / factor : unknown_number; }
 };
+
+/// A pusher that presses with a force of its own, N.
+struct Press {
+  Index body;
+  double force;
+};
+std::vector<Press> presses_of(const SceneFile& file);
 
 HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
                     const PushOptions& options = {});

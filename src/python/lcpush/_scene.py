@@ -212,17 +212,19 @@ class Scene:
                              "stop_after": stop_after, "frames": frames}, False, progress)
 
     def hold(self, *, at: Optional[Sequence[float]] = None, directions: Sequence[str] = (),
-             tolerance: Union[str, Sequence[str]] = ()) -> Hold:
+             press: bool = False, tolerance: Union[str, Sequence[str]] = ()) -> Hold:
         """How hard to grip, and what makes it slip: the grasp without a push.
 
         Args:
             at: shape (3,), m, the scene's frame, where forces act; the centre of mass
             directions: more than the axes, such as "force 1 0 0" or "moment 0 1 0"
+            press: pushers with a normal_force press with it, without friction: a load to hold
             tolerance: as of `cone`
         """
         place = None if at is None else plain(at, "at")
         return self._answer(Hold, "hold", {"at": place, "direction": list(directions) or None,
-                                           "tolerance": tolerance or None}, False, None)
+                                           "press": press or None, "tolerance": tolerance or None},
+                            False, None)
 
     def cone(self, twist: Optional[Sequence[float]] = None, *,
              pusher: Optional[str] = None,
