@@ -81,8 +81,14 @@ void Values::refuse_size(const SceneFile& file, Needs needs) const {
 }
 
 void Values::refuse_still(const SceneFile& file) const {
-  if (!(push_size(file.view()) > 0))
-    refuse("scene", "no body of the scene moves: give a pusher an acceleration");
+  if (push_size(file.view()) > 0) return;
+  for (const Drive<double>& drive : file.drives)
+    if (file.body(drive.body).role == Role::pusher)
+      refuse("scene", file.body_name(drive.body) +
+                          " presses with a given force, and no body of the scene is moved: give it "
+                          "a velocity instead of its normal_force, and the force that it takes is "
+                          "the answer");
+  refuse("scene", "no body of the scene moves: give a pusher an acceleration");
 }
 
 Document Values::scene_document(std::size_t k) const {

@@ -132,8 +132,12 @@ private:
     for (const std::string_view part : split_at(text, 'x')) {
       const std::string_view word = trimmed(part);
       const auto [length, is_whole] = decimal_prefix(word);
-      if (!is_whole || word.find(',') != std::string_view::npos)
-        refuse(option, typed, "write " + quoted(example) + ", with a point in decimals");
+      const std::string_view unit = trimmed(word.substr(std::min(length, word.size())));
+      const std::size_t digit = unit.find_first_of("0123456789"); // "80 40 20", "80 mm 40 mm"
+      const bool is_other = digit != unit.npos && (digit == 0 || unit[digit - 1] == ' ');
+      if (!is_whole || is_other || word.find(',') != std::string_view::npos)
+        refuse(option, typed,
+               "write " + quoted(example) + (is_other ? "" : ", with a point in decimals"));
       list.push_back({read_finite_number(word.substr(0, length)).value, 0,
                       std::string(trimmed(word.substr(length)))});
     }

@@ -113,6 +113,11 @@ std::string objection(const std::string& number, const std::string& name,
   if (name.empty())
     return "the unit is missing; write " + number + " without quotes, or " +
            quoted(number + " " + si[0]);
+  const std::size_t digit = name.find_first_of("0123456789");
+  if (name[0] == ',' && digit == 1)
+    return "write " + quoted(number + "." + name.substr(1)) + ", with a point in decimals";
+  if (digit == 0 || (digit != std::string::npos && name[digit - 1] == ' '))
+    return "several numbers are a list, [\"..\", \"..\"], each in its own quotes";
   if (const Unit* const unit = called(units, name))
     return called(dimensions, unit->si)->meaning + meant(si);
   if (const Meaning* const foreign = called(imperial, name))

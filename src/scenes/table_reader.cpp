@@ -23,6 +23,18 @@ std::string described(const TomlValue& value) {
   return "a list";
 }
 
+/// "; write 0.3", of "0.3" and "30 %".
+std::string unquoted(const TomlValue& value) {
+  const auto* const text = std::get_if<std::string>(&value.data);
+  if (text == nullptr) return "";
+  const auto [length, is_whole] = decimal_prefix(*text);
+  if (!is_whole) return "";
+  const std::string_view rest = trimmed(std::string_view(*text).substr(length));
+  const double number = read_finite_number(std::string_view(*text).substr(0, length)).value;
+  if (rest.empty()) return "; write " + shown(number);
+  return rest == "%" ? "; write " + shown(number / 100) : "";
+}
+
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
 } // namespace
@@ -124,7 +136,8 @@ std::size_t TableReader::choice(const std::string& key,
 double TableReader::checked_number(const std::string& what, const TomlValue& value,
                                    Sign sign) const {
   for (const TomlValue& end : value.range) (void)checked_number(what, end, sign);
-  if (!value.number()) fail_at(value.line, what + " must be a number, got " + described(value));
+  if (!value.number())
+    fail_at(value.line, what + " must be a number, got " + described(value) + unquoted(value));
   const double number = *value.number();
   const auto require_that = [&](bool holds, const std::string& rule) {
     if (!holds) fail_at(value.line, what + " must be " + rule + ", got " + described(value));
