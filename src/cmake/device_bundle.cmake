@@ -130,7 +130,8 @@ file(WRITE "${OUTPUT}/LICENSE.Eigen"
 file(COPY "${SOURCES}/LICENSE" DESTINATION "${OUTPUT}")
 file(COPY_FILE "${SOURCES}/docs/embed/main.c" "${OUTPUT}/main.c")
 file(READ "${SOURCES}/docs/embed/bundle.md" page)
-file(CONFIGURE OUTPUT "${OUTPUT}/README.md" @ONLY CONTENT "${page}")
+string(REPLACE "# lcpush for a device" "# lcpush ${VERSION} for a device" page "${page}")
+file(WRITE "${OUTPUT}/README.md" "${page}")
 
 # What PlatformIO, ESP-IDF and Zephyr read of a library.
 set(packages "${SOURCES}/src/cmake/bundle")

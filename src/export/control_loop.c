@@ -1,9 +1,12 @@
 
-/* One tick: new grip forces and motions of the scene's order; a bounded number of pivots a step. */
-static lcpush_status tick(LCPUSH(push)* push, const REAL* forces, const REAL* accelerations) {
-  lcpush_status status = LCPUSH(command)(push, forces, accelerations);
-  while (status == LCPUSH_RUNNING) status = LCPUSH(step)(push, 8); /* other work goes between */
-  return status;
+/* A tick's budget in pivots, and for how many ticks an answer serves: yours. */
+enum { BUDGET = 2000, OLDEST = 3 };
+
+/* One tick: new grip forces and motions of the scene's order, unless the last are still being
+ * solved; what was solved last stands meanwhile. */
+static lcpush_status tick(LCPUSH(push)* push, lcpush_status last, const REAL* forces, const REAL* accelerations) {
+  if (last != LCPUSH_RUNNING) (void)LCPUSH(command)(push, forces, accelerations); /* refused: the one before stands */
+  return LCPUSH(step)(push, BUDGET);
 }
 
 int main(void) {
@@ -18,10 +21,17 @@ int main(void) {
     for (a = 0; a < ACTUATORS; ++a) forces[a] = actuators[a].force;
     for (b = 0; b < BODIES; ++b)
       for (k = 0; k < 6; ++k) accelerations[6 * b + k] = share * bodies[b].acceleration[k];
-    status = tick(push, forces, accelerations);
+    status = tick(push, (t == 1) ? LCPUSH_SOLVED : status, forces, accelerations);
+    if ((LCPUSH(age)(push) < 0) || (LCPUSH(age)(push) > OLDEST)) { /* nothing to go by: stop, in your way */
+#if __STDC_HOSTED__
+      (void)printf("tick %d: %s, and no answer that is new enough\n", t, lcpush_status_text(status));
+#endif
+      continue;
+    }
     LCPUSH(acceleration)(push, twist);
 #if __STDC_HOSTED__
-    (void)printf("tick %d: %s, %d pivots; the object's acceleration", t, lcpush_status_text(status), LCPUSH(pivots)(push));
+    (void)printf("tick %d: %s, %d pivots, %d old; the object's acceleration", t, lcpush_status_text(status),
+                 LCPUSH(pivots)(push), LCPUSH(age)(push));
     for (k = 0; k < 6; ++k) (void)printf(" %.6g", (double)twist[k]);
     (void)printf("\n");
 #endif

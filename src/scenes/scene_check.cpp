@@ -61,6 +61,7 @@ public:
     check_opposed();
     check_table();
     if (file_.planar) check_plane();
+    if (file_.planar) check_across();
     if (doubts_.empty()) check_sides();
     if (file_.lines.all_on_faces && !file_.object.center_of_mass.isZero(0))
       doubt(
@@ -273,6 +274,27 @@ private:
           "only " + quoted(file_.body_name(alone[0])) +
               " presses and nothing presses against it; a parallel jaw is two fingers with the "
               "same grip_force");
+  }
+
+  /// Fingers that press across a plane, where no balance is asked for: do they meet each other?
+  void check_across() {
+    double left = 0, most = 0;
+    for (const Drive<double>& drive : file_.drives) {
+      const double force = file_.actuators[static_cast<std::size_t>(drive.actuator)].force;
+      left += force * file_.body(drive.body).normal.z();
+      most = std::max(most, force);
+    }
+    const std::vector<Index> alone = bodies_closed_alone();
+    bool is_met = false;
+    for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)
+      is_met = is_met || (file_.body(b).normal.z() * left < 0 && !is_driven(file_.view(), b));
+    if (alone.size() < 2 || alone.size() != file_.drives.size() || is_met ||
+        !(std::abs(left) > typed_slack * most))
+      return;
+    doubt(Doubt::unopposed, file_.lines.bodies[static_cast<std::size_t>(alone.back())].normal,
+          "the fingers press with " + shown(std::abs(left)) +
+              " N more to one side of the plane than to the other, and nothing meets that; a "
+              "parallel jaw has the same grip_force on opposite faces");
   }
 
   /// All that the object lies on, and a push along it: beyond its edge nothing bears the object.

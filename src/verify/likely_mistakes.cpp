@@ -1,4 +1,5 @@
 #include "verify/likely_mistakes.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -94,21 +95,22 @@ std::vector<LikelyMistake> likely_mistakes(const SceneFile& file, const ForeignA
   if (has_vectors)
     list.push_back(
         {"With every friction force turned round", on_bodies, turned(file, given, false), true});
-  constexpr double standard_gravity = 9.80665, thousand = 1e3;
   const auto add = [&](bool is_given, const std::string& undone, const std::string& because,
                        ForeignAnswer answer) {
     if (is_given) list.push_back({undone, because, std::move(answer), false});
   };
   add(has_forces, "With every force times 9.80665",
       "these look like kilogram-force; newtons are asked for",
-      with_forces_times(given, standard_gravity));
+      with_forces_times(given, VerifySettings::kilogram_force));
   add(has_forces, "With every force divided by 1000",
       "these look like millinewtons; newtons are asked for",
-      with_forces_times(given, 1 / thousand));
+      with_forces_times(given, 1 / VerifySettings::thousand));
   add(has_moments && has_forces, "With every moment divided by 1000",
-      "these look like N mm; N m are asked for", with_moments_times(given, 1 / thousand));
+      "these look like N mm; N m are asked for",
+      with_moments_times(given, 1 / VerifySettings::thousand));
   add(given.acceleration.has_value(), "With the acceleration divided by 1000",
-      "it looks like mm/s^2; m/s^2 are asked for", with_motion_times(given, 1 / thousand));
+      "it looks like mm/s^2; m/s^2 are asked for",
+      with_motion_times(given, 1 / VerifySettings::thousand));
   for (int axis = 0; axis < 3; ++axis) {
     const std::string a(1, "xyz"[(axis + 1) % 3]), b(1, "xyz"[(axis + 2) % 3]),
         about(1, "xyz"[axis]);

@@ -27,6 +27,7 @@ struct VerifySettings {
                                             ///< given one is the fit's, and not told
   static constexpr double own_first = 10;   ///< the error beside lcpush's own motion is told unless
                                             ///< the forces' own motion has so many times less
+  static constexpr double kilogram_force = 9.80665, thousand = 1e3; ///< N; units that are mistaken
   static constexpr double turned = 1e-2; ///< of the error: less is left by a right change of signs,
                                          ///< and is no imbalance to tell
   static constexpr double same_place = 1e-5;    ///< of the scene's size: six digits, which round

@@ -210,6 +210,14 @@ TEST_CASE("a finger that nothing meets, and a table that ends where the object d
   CHECK(codes(alone + push) == Codes{"unopposed"});
   CHECK(codes(alone + finger("stop", pad + "on = \"-z\"\n") + push) == Codes{});
   CHECK(codes(object + finger("lift", grip + "on = \"-y\"\n") + push) == Codes{}); // its weight
+  const std::string flat = "planar = true\n" + object + finger("left", grip + "on = \"+z\"\n");
+  const auto right = [&](const std::string& force, const std::string& face) {
+    return finger("right", pad + "grip_force = " + force + "\non = \"" + face + "\"\n");
+  };
+  CHECK(codes(flat + right("25", "-z") + push) == Codes{});
+  CHECK(codes(flat + right("20", "-z") + push) == Codes{"unopposed"});
+  CHECK(codes(flat + right("25", "+z") + push) == Codes{"unopposed"});
+  CHECK(codes(flat + right("20", "-z") + finger("stop", pad + "on = \"-z\"\n") + push) == Codes{});
   const std::string table = object + finger("table", "shape = \"rectangle\"\nsize = [0.12, 0.014]\n"
                                                      "on = \"-y\"\n");
   CHECK(codes(table + push) == Codes{"small_table"});
