@@ -1,5 +1,6 @@
 // Pivots for people: as text for a terminal, and as arrays for LaTeX.
 #include "lcpush/desktop/pivots.hpp"
+#include "pivots/tie_text.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -125,6 +126,8 @@ std::string pivot_line(const PivotTrace& trace, std::size_t k) {
   text += "; z0 = " + value_text(pivot.z0) + "\n";
   if (!pivot.ties.empty())
     text += "  tied: " + tied_names(trace, pivot) + "; " + tie_words(pivot).text + "\n";
+  if (pivot.decided_by == TieBreak::lexicographic && !pivot.chosen)
+    text += lexicographic_text(trace, pivot);
   return text + "  " + pivot.sentence + "\n";
 }
 
@@ -199,10 +202,11 @@ std::string brief_text(const PivotTrace& trace, const Push* push) {
 std::string ending(const PivotTrace& trace) {
   std::string text = "\n" + verdict(trace);
   if (trace.status == Status::solved) {
+    const std::size_t before = text.size();
     for (std::size_t i = 0; i < trace.z.size(); ++i)
       if (!is_zero(trace.z[i]) || is_free(trace, i))
         text += unknown_line(trace, 'z', i, unknown_text(trace, i));
-    return text;
+    return text.size() > before ? text : text + "  z = 0\n";
   }
   if (!trace.ray) return text;
   text += "The ray v >= 0 with M v + d v0 >= 0, v0 = " + number_text(trace.ray->v0) + ":\n";

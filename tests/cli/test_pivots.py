@@ -200,6 +200,16 @@ assert t["status"] == "pivot_limit" and len(t["pivots"]) == 1
 assert trace("--M", "2 1; 1 2", "--q", "-5 -6", "--cover", "1/2,3", "--exact")["pivots"][0][
     "z0"] == "10"
 
+# What the lexicographic rule compares, and that the run with such a q goes the same way.
+kostreva = ["fixtures/textbook/kostreva_1.M.mtx", "fixtures/textbook/kostreva_1.q.mtx", "--exact"]
+told = " ".join(run(*kostreva).stdout.split())
+assert "w1 at 1 - e; w2 at 1 - e^2; w3 at 1 + ..; the largest leaves" in told, told
+assert "w2 at 1/3 e + ..; z3 at e + ..; the least leaves" in told, told
+small = ["1 2 0; 0 1 2; 2 0 1", f"-999/1000 {Fraction(1, 10 ** 6) - 1} {Fraction(1, 10 ** 9) - 1}"]
+assert [pivot["leaving"] for pivot in trace(*kostreva)["pivots"]] == [
+    pivot["leaving"] for pivot in trace("--M", small[0], "--q", small[1], "--exact")["pivots"]]
+assert "z = 0" in run("--M", "1", "--q", "1").stdout
+
 # Mistakes.
 coin = "fixtures/scenes/coin.toml"
 
