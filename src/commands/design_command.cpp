@@ -2,6 +2,7 @@
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
 #include "lcpush/desktop/design.hpp"
+#include "lcpush/desktop/funnel.hpp"
 #include "scenes/mirror.hpp"
 #include "text/wording.hpp"
 
@@ -45,7 +46,40 @@ VariedScene with_push(const Values& values, const VariedScene& scene) {
   return pushed;
 }
 
+EdgePose edge_pose(const Values& values, const char* option) {
+  const auto pose = values.numbers(option, {"m", "m", "rad"},
+                                   "x y angle (m along the push, m along the edge, rad)");
+  return {(*pose)[0], (*pose)[1], (*pose)[2]};
+}
+
+/// From which poses an edge leaves the object flush.
+Result run_funnel(const Values& values, Listener&) {
+  const std::string format = values.one_of("format", values.format(), {"text", "json"});
+  for (const char* option : {"choose", "push", "tolerance"})
+    if (values.has(option))
+      values.refuse(option, values.label(option) + " does not go with " + values.label("from-box"));
+  const EdgePose box = edge_pose(values, "from-box");
+  if (!(std::min({box[0], box[1], box[2]}) >= 0) || !(std::max({box[0], box[1], box[2]}) > 0))
+    values.refuse("from-box", values.label("from-box") + " takes half the sides of a box, >= 0");
+  std::optional<EdgePose> goal;
+  if (values.has("goal")) goal = edge_pose(values, "goal");
+  if (goal && (*goal)[2] != 0)
+    values.refuse("goal", values.label("goal") + ": an edge leaves the object at the angle of the "
+                                                 "scene, 0");
+  const Document document = values.scene_document();
+  const SceneFile given = values.scene(Needs::scene);
+  const std::string name = given.body_name(values.pusher(given));
+  SceneFile file = parse_scene(with_flat_edge(document.text, document.name, name), document.name);
+  file.title = given.title;
+  const FunnelReport report = find_funnel(file, values.pusher(file), box);
+  return {report.is_flush,
+          format == "json" ? funnel_json(file, report) : funnel_text(file, report, goal)};
+}
+
 Result run_design(const Values& values, Listener& listener) {
+  if (values.has("from-box")) return run_funnel(values, listener);
+  if (values.has("goal"))
+    values.refuse("goal", values.label("goal") + " goes with " + values.label("from-box"));
   const std::string format = values.format();
   if (!values.has("choose"))
     values.refuse("choose", values.usage("choose") + " says what may be chosen, such as " +
@@ -71,21 +105,27 @@ Result run_design(const Values& values, Listener& listener) {
 Command design_command() {
   return {
       "design",
-      "SCENE.toml --choose PATH=FROM:TO [OPTIONS]",
+      "SCENE.toml --choose PATH=FROM:TO | --from-box \"X Y ANGLE\" [OPTIONS]",
       "numbers of the scene with which a push sticks most surely",
       "Looks for the places, sizes, frictions and grips in these ranges with which the scene's\n"
       "push, or that of --push, sticks while the numbers that you do not know are as far off as\n"
       "possible: all frictions, grips and the mass, or those of --tolerance. Says what makes it\n"
-      "slip beyond, and what each choice gives alone; the others are as in the file then.\n\n"
+      "slip beyond, and what each choice gives alone; the others are as in the file then.\n"
+      "With --from-box: does a push with a flat edge leave the object flush from every pose so\n"
+      "near the scene's, how far does the edge go, and what is left of the box?\n\n"
       "Examples:\n"
       "  lcpush design docs/guide/narrow_wall.toml \\\n"
       "    --choose \"wall.center[1]=-0.012:0.012\"\n"
       "  lcpush design docs/guide/narrow_wall.toml --choose wall.width=0.004:0.02 \\\n"
-      "    --choose \"*.grip_force=10:40\" --tolerance \"*.friction=10%\" --format toml\n",
+      "    --choose \"*.grip_force=10:40\" --tolerance \"*.friction=10%\" --format toml\n"
+      "  lcpush design docs/check/block.toml --from-box \"1 mm 2 mm 5 deg\"\n",
       with_scene_options(
           {{"choose", "PATH=FROM:TO",
             "what may be chosen: a number, *.NUMBER as one, BODY.width or center[1] of a line",
             true},
+           {"from-box", "\"X Y ANGLE\"",
+            "half the sides of a box of poses: along the push and along the edge (m), rad"},
+           {"goal", "\"X Y 0\"", "where the object is to end, beside the scene's pose"},
            {"push", "V", "the motion that is to stick, \"vx vy wz\" at the centre of mass"},
            {"pusher", "NAME", "which one, among several; the others are left out"},
            pressure_option,

@@ -3,12 +3,14 @@
     test_design.py TOOL ROOT [--all]      with --all 50 scenes of 2,000 random designs and 1,000 replays"""
 import itertools
 import json
+import math
 import random
 import sys
 import xml.etree.ElementTree as ElementTree
 
 from tool import SCENES, SOURCE, ToolTest, json_of, main, run
 
+from scene_tables import table
 from test_tolerance import ALL, Push, slide
 
 DEEP = "--all" in sys.argv
@@ -27,6 +29,61 @@ def closed_form(mu_wall, mu, force, mass):
         e = (low + high) / 2
         low, high = (e, high) if (1 + e) < target * (1 - e) ** 3 else (low, e)
     return low
+
+
+def fence(width=0.1, depth=0.03, friction=0.0, c=0.02):
+    """A plate that two soft points ride on, whose ellipsoid of friction has the length c, and an edge along its lower face."""
+    fingers = "".join(table("[[finger]]", name=name, center=[0, 0, z], normal=[0, 0, -1 if z > 0 else 1], friction=0.5, grip_force=20,
+                            shape="point", torsion_radius=c, points_on="object") for name, z in (("left", 0.005), ("right", -0.005)))
+    return table("", planar=True) + table("[object]", mass=0.2, box=[width, depth, 0.01]) + fingers + table(
+        "[[pusher]]", name="fence", shape="line", on="-y", along="x", friction=friction, velocity=[0, 1e-4, 0])
+
+
+class Funnel(ToolTest):
+    def funnel(self, text, box, *words, status=0):
+        result = run("design", self.file("f.toml", text), "--from-box", box, "--json", "--seconds", 600, *words)
+        self.assertEqual(result.returncode, status, result.stderr)
+        return json.loads(result.stdout)
+
+    def test_an_edge_without_friction_aligns_as_the_integral_over_the_turn_says(self):
+        for width, depth, c, angle in ((0.1, 0.03, 0.02, 0.349), (0.06, 0.05, 0.01, 0.2)):
+            answer = self.funnel(fence(width, depth, c=c), f"0 0 {angle}")
+            rho, e = math.hypot(width, depth) / 2, math.atan2(depth, width)
+            # A corner at rho and the angle e + s goes (c^2 + q^2) / q ds, q = rho cos(e + s) its arm.
+            steps = 20000
+            way = sum((c * c + q * q) / q for q in (rho * math.cos(e + angle * (k + 0.5) / steps) for k in range(steps))) * angle / steps
+            for push in (answer["pushes"][0], answer["pushes"][-1]):
+                self.assertLess(abs(push["way"] / way - 1), 0.01)
+            self.assertAlmostEqual(answer["along"][1], 0, 9)
+
+    def test_it_turns_to_the_edge_while_the_corner_is_before_the_middle_of_friction(self):
+        for width, depth, friction in ((0.1, 0.03, 0), (0.04, 0.08, 0.5)):
+            low, high = self.funnel(fence(width, depth, friction), "0 0 0.1")["capture"]
+            self.assertAlmostEqual(high, math.atan(width / depth), delta=4e-3)
+            self.assertAlmostEqual(low, -high, delta=1e-6)
+        self.assertFalse(self.funnel(fence(0.04, 0.08), "0 0 0.5", status=1)["flush"])
+
+    def test_the_same_motion_as_move_says_and_a_mirror_image(self):
+        answer = self.funnel(fence(friction=0.4), "0.001 0.002 0.2")
+        low, high = answer["along"]
+        self.assertAlmostEqual(low, -high, delta=1e-6)
+        self.assertGreater(high, 0.002)
+        self.assertAlmostEqual(answer["way"], answer["stop"] - min(push["contact"] for push in answer["pushes"]), 12)
+        told = " ".join(run("design", self.file("f.toml", fence()), "--from-box", "0 2 mm 5 deg", "--goal", "10 mm 0 0").stdout.split())
+        self.assertIn("The edge stops".lower(), told.lower())
+        self.assertIn("from -73.", told)
+
+    def test_what_is_no_edge_is_refused(self):
+        for change, other in (("planar = true", ""), ("velocity = [0, 0.0001, 0]", "velocity = [0.0001, 0.0001, 0]"),
+                              ("velocity = [0, 0.0001, 0]", "acceleration = [0, 0.1, 0]"),
+                              ('shape = "line"', 'shape = "point"')):
+            self.assertIn(change, fence())
+            result = run("design", self.file("f.toml", fence().replace(change, other)), "--from-box", "0 0 0.1")
+            self.assertEqual(result.returncode, 2, change)
+            self.assertIn("fence", result.stderr)
+        for words in (("--from-box", "0 0 0"), ("--from-box", "0 0 -1"), ("--goal", "0 0 0", "--choose", "fence.friction=0:1"),
+                      ("--from-box", "0 0 0.1", "--goal", "0 0 0.1")):
+            self.assertEqual(run("design", self.file("f.toml", fence()), *words).returncode, 2, words)
 
 
 class Design(ToolTest):

@@ -94,6 +94,9 @@ class SameJson(unittest.TestCase):
 
     def test_of_designs(self):
         path = "docs/guide/narrow_wall.toml"
+        funnel = lcpush.read("docs/check/block.toml").funnel((0, 0.002, 0.09))
+        self.assertTrue(funnel)
+        self.assertGreater(funnel.along[1], 0.002)
         design = lcpush.read(path).design({"wall.center[1]": (-0.012, 0.012)}, push=(0.01, 0, 0))
         words = ("design", path, "--choose", "wall.center[1]=-0.012:0.012", "--push", "0.01 0 0")
         self.assertEqual(design.json, printed(*words, "--json"))

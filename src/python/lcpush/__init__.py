@@ -11,13 +11,13 @@ frame. Arrays are NumPy's where NumPy is installed, else lists. docs/guide/pytho
 """
 from ._answers import (Answer, Body, Breaking, Certificate, Contact, ContactForces, LcpAnswer, LcpSolutions,
                        LcpVerdict, MotionVerdict, Pivots, Record, Solution, Spread, Verdict)
-from ._courses import Cone, Curve, Design, Hold, Motion, Plan, Sweep
+from ._courses import Cone, Curve, Design, Funnel, Hold, Motion, Plan, Sweep
 from ._errors import InputError, NotSolved
 from ._library import version as __version__
 from ._raw import check, contacts, equilibria, lcp, lcp_all, pivots
 from ._scene import Scene, read, verify_scene
 
-__all__ = ["Answer", "Body", "Breaking", "Certificate", "Cone", "Contact", "ContactForces", "Curve", "Design", "Hold",
+__all__ = ["Answer", "Body", "Breaking", "Certificate", "Cone", "Contact", "ContactForces", "Curve", "Design", "Funnel", "Hold",
            "InputError",
            "LcpAnswer", "LcpSolutions", "LcpVerdict", "Motion", "MotionVerdict", "NotSolved", "Pivots", "Plan",
            "Record", "Scene", "Solution", "Spread", "Sweep", "Verdict", "__version__", "check", "contacts",

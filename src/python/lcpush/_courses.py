@@ -145,6 +145,16 @@ class Design(Answer):
         return bool(self._data["margin"])
 
 
+class Funnel(Answer):
+    """What a flat edge aligns, of `Scene.funnel()`: `flush`, `capture`, `way`, `stop`, `along`, `pushes`. True where it leaves the
+    object flush from every pose of the box that was tried."""
+
+    _picture = None
+
+    def __bool__(self) -> bool:
+        return bool(self._data["flush"])
+
+
 class Plan(Answer):
     """Pushes that take the object to another place, of `Scene.plan()`: `found`, `pushes`, `cost`,
     `replay`, and as `scene` the text of the scene with its strokes. True where it was found."""

@@ -10,7 +10,7 @@ from . import _toml
 from ._answers import (Answer, Breaking, Certificate, MotionVerdict, Pivots, Record, Solution, Spread,
                        Verdict)
 from ._arrays import as_json, plain
-from ._courses import Cone, Design, Hold, Motion, Plan, Sweep, values_of, variation
+from ._courses import Cone, Design, Funnel, Hold, Motion, Plan, Sweep, values_of, variation
 from ._errors import InputError, NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
 
@@ -258,6 +258,17 @@ class Scene:
         return self._answer(Design, "design", {"choose": choices, "pusher": pusher,
                                                "push": None if push is None else plain(push, "push"),
                                                "tolerance": tolerance or None}, False, None)
+
+    def funnel(self, box: Sequence[float], *, pusher: Optional[str] = None) -> Funnel:
+        """From which poses a push with a flat edge leaves the object flush, and what is left of them.
+
+        Args:
+            box: shape (3,), half its sides along the push and along the edge, m, and of the angle,
+                rad, about the scene's pose
+            pusher: whose edge, among several
+        """
+        return self._answer(Funnel, "design", {"from_box": plain(box, "box"), "pusher": pusher},
+                            False, None)
 
     def plan(self, to: Sequence[float], *, seconds: Optional[float] = None,
              tolerance: Union[str, Sequence[str]] = (),

@@ -1,0 +1,107 @@
+// What an edge aligns, in words and as JSON.
+#include <cmath>
+
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/funnel.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// Places that are rounding are 0.
+std::string place(double x) { return millimetres(std::abs(x) < 1e-9 ? 0 : x); }
+
+std::string degrees(double angle) { return brief(angle * degrees_a_radian, 1e-9); }
+
+/// "within 2 mm along the push, 3 mm along the edge and 10 degrees"
+std::string box_text(const EdgePose& box) {
+  std::vector<std::string> sides;
+  if (box[0] > 0) sides.push_back(millimetres(box[0]) + " along the push");
+  if (box[1] > 0) sides.push_back(millimetres(box[1]) + " along the edge");
+  if (box[2] > 0) sides.push_back(degrees(box[2]) + " degrees");
+  return "within " + listed(sides, "and");
+}
+
+const FlushPush* first_lost(const FunnelReport& report) {
+  for (const FlushPush& push : report.pushes)
+    if (!push.is_flush) return &push;
+  return nullptr;
+}
+
+std::string answer(const SceneFile& file, const FunnelReport& report) {
+  const std::string edge = file.body_name(report.pusher), object = object_name(file);
+  if (const FlushPush* const lost = first_lost(report))
+    return "Not every pose " + box_text(report.box) + " ends flush with " + edge + ": from " +
+           millimetres(lost->begin[0]) + ", " + millimetres(lost->begin[1]) + " and " +
+           degrees(lost->begin[2]) + " degrees " + object + " does not.";
+  std::string text = object + " ends flush with " + edge + " from every pose tried " +
+                     box_text(report.box) + "; " + edge + " goes " + millimetres(report.way) +
+                     " for that.";
+  text[0] = 'T'; // "the box"
+  return text;
+}
+
+/// What is left of the box, beside what it was.
+std::string left_text(const FunnelReport& report) {
+  std::string text = place(report.along_from) + " to " + place(report.along_until) +
+                     " along the edge, 0 mm along the push, 0 degrees";
+  const double before = 2 * report.box[1];
+  if (before > 0)
+    text += "; along the edge " + brief(report.along() / before) + " times what it was";
+  return text;
+}
+
+Fact goal_fact(const FunnelReport& report, const EdgePose& goal) {
+  std::string text = "the edge stops " + millimetres(goal[0]) + " beyond its place in the scene; ";
+  if (goal[0] < report.stop)
+    text += "not all are flush there, but only from " + millimetres(report.stop) +
+            " on: let the object begin farther back";
+  else
+    text += "the object is then " + place(report.along_from - goal[1]) + " to " +
+            place(report.along_until - goal[1]) + " beside the goal, along the edge";
+  return {"Goal", text};
+}
+
+} // namespace
+
+std::string funnel_text(const SceneFile& file, const FunnelReport& report,
+                        const std::optional<EdgePose>& goal) {
+  std::vector<Fact> facts{{"Turns to it", "from " + degrees(report.from) + " to " +
+                                              degrees(report.until) +
+                                              " degrees, in the middle of the box"}};
+  if (report.is_flush) {
+    facts.push_back({"All flush", "with the edge " + millimetres(report.stop) +
+                                      " beyond its place in the scene"});
+    facts.push_back({"Then left", left_text(report)});
+    if (goal) facts.push_back(goal_fact(report, *goal));
+  }
+  facts.push_back({"Tried", counted(static_cast<Index>(report.pushes.size()), "pose") +
+                                ": corners of the box, and between them"});
+  return title_line(file) + answer(file, report) + "\n\n" + facts_text(facts);
+}
+
+std::string funnel_json(const SceneFile& file, const FunnelReport& report) {
+  JsonWriter json;
+  json.begin_object()
+      .member("flush", report.is_flush)
+      .member("pusher", file.body_name(report.pusher))
+      .member("capture", std::vector<double>{report.from, report.until})
+      .member("way", when(report.is_flush, report.way))
+      .member("stop", when(report.is_flush, report.stop));
+  json.member("along",
+              when(report.is_flush, std::vector<double>{report.along_from, report.along_until}));
+  json.objects("pushes", report.pushes, [&](const FlushPush& push) {
+    json.member("begin", push.begin)
+        .member("flush", push.is_flush)
+        .member("contact", push.contact)
+        .member("way", when(push.is_flush, push.way))
+        .member("along", when(push.is_flush, push.along));
+  });
+  return json.end_object().text();
+}
+
+} // namespace lcpush::desktop
