@@ -199,7 +199,9 @@ ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double 
     const double lacks = p.V.col(a).dot(r) + p.R[a] * answer.l[a] + p.s[a];
     note(contact_law_count - 1, size > 0 ? std::abs(lacks) / size : 0, a);
   }
-  answer.is_good = n == r.size();
+  // Forces that are large enough beside b leave the velocities open; where none hold, they do not.
+  if (tolerance > ContactSettings::solved) answer.none = contradiction(p, r);
+  answer.is_good = n == r.size() && answer.none.size() == 0;
   for (Index law = 0; law < contact_law_count; ++law) {
     const bool is_angle = law == static_cast<Index>(ContactLaw::dissipation);
     answer.is_good = answer.is_good &&

@@ -111,7 +111,8 @@ std::string verdict(const ContactProblem& problem, const ContactForces& answer) 
   tell(0, "is open", "are open");
   const std::string of =
       "of " + counted(problem.contacts(), "contact") + " " + listed(modes, "and") + ".\n";
-  if (answer.none.size() > 0) return contradiction_text(problem, answer.none);
+  if (answer.none.size() > 0)
+    return (problem.r ? "The forces are refused. " : "") + contradiction_text(problem, answer.none);
   if (answer.is_good) return (problem.r ? "The forces are right: " : "Solved: ") + of;
   std::string text = problem.r ? "The forces are refused.\n"
                                : "Not solved: the solver did not end. There may be forces that "

@@ -119,8 +119,10 @@ std::optional<GiveWay> read_fall(const SceneFile& hand, const PushOptions& optio
   if (rest.status != Status::solved || rest.holds) return std::nullopt;
   const Answer<double>& answer = push.last_answer();
   double fastest = 0;
-  for (const ContactAnswer<double>& contact : answer.contacts)
-    fastest = std::max(fastest, contact.acceleration.norm());
+  for (Index i = 0; i < answer.contacts.size; ++i)
+    fastest = std::max(
+        {fastest, answer.contacts[i].acceleration.norm(),
+         acceleration_at(hand.points[static_cast<std::size_t>(i)], answer.acceleration).norm()});
   std::set<Index> slips, opens, stays;
   std::vector<Index> slipping;
   for (Index i = 0; i < answer.contacts.size; ++i) {

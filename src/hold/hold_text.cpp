@@ -78,7 +78,12 @@ std::vector<const HoldLimit*> weak_axes(const HoldStudy& study, Disturbance kind
   std::vector<const HoldLimit*> axes;
   for (std::size_t k = 0; k < 6 && !study.limits.empty(); ++k) {
     const HoldLimit& limit = study.limits[6 * static_cast<std::size_t>(kind) + k];
-    if (limit.limit <= (1 + hold_settings.told) * weakest) axes.push_back(&limit);
+    const auto is_alike = [&](const GiveWay& a, const GiveWay& b) {
+      return a.slips == b.slips && a.opens == b.opens && a.yields == b.yields;
+    };
+    if (limit.limit <= (1 + hold_settings.told) * weakest &&
+        (axes.empty() || is_alike(axes.front()->gives, limit.gives)))
+      axes.push_back(&limit);
   }
   return axes;
 }
@@ -177,7 +182,8 @@ std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
 std::string statics_text(const SceneFile& file, const HoldStudy& study) {
   std::string text;
   const auto compare = [&](const HoldLimit& limit) {
-    if (std::abs(limit.statics - limit.limit) <= hold_settings.told * limit.limit ||
+    if (std::isnan(limit.statics) ||
+        std::abs(limit.statics - limit.limit) <= hold_settings.told * limit.limit ||
         limit.statics == limit.limit || (limit.limit == 0 && std::isinf(limit.statics)))
       return;
     text += (text.empty() ? "" : ", ") + against(limit) + " " +

@@ -21,28 +21,43 @@ public:
       if (!led_astray(0, 1, 1)) return worst;
       from = 1;
     }
-    std::optional<MissedChange> last;
+    std::vector<MissedChange> found;
     for (std::size_t to = from + 1; to < given_.size(); ++to) {
+      if (turns_far(to)) { // between two frames: steps in proportion do not tell where it leads
+        from = to;
+        continue;
+      }
       const double changed = laws_.telling().fastest(
           given_[to].pose, velocity_at(given_, to) - velocity_at(given_, from));
       const bool is_last = to + 1 == given_.size();
       const std::size_t frames = to - from;
       const bool shows = changed >= enough && frames >= Settings::least_change_frames;
-      if (!shows && !is_last && frames < Settings::change_frames) continue;
-      const std::optional<double> missed = missed_change(from, to);
-      // Without an answer, or with one that leaps: the steps there have been judged.
-      if (!missed || *missed > fastest) return worst;
-      // An event may be missed by once; what is wrong with the dynamics lasts.
-      const MissedChange now{*missed, given_[from].time, given_[to].time};
-      const MissedChange& less = last && last->speed < now.speed ? *last : now;
-      if ((last || is_last) && less.speed > worst.speed) worst = less;
-      last = now;
+      if (!shows && !(is_last && found.empty()) && frames < Settings::change_frames) continue;
+      std::optional<double> missed = missed_change(from, to);
+      // Of a long way the laws' own may have no answer, or one that leaps: then of its first half.
+      while ((!missed || *missed > fastest) && to - from >= 2 * Settings::least_change_frames) {
+        to = from + (to - from) / 2;
+        missed = missed_change(from, to);
+      }
+      if (!missed || *missed > fastest) break; // its steps have been judged
+      found.push_back({*missed, given_[from].time, given_[to].time});
       from = to;
+    }
+    if (found.size() == 1) return found[0];
+    // An event may be missed by once; what is wrong with the dynamics lasts.
+    for (std::size_t k = 1; k < found.size(); ++k) {
+      const MissedChange& less = found[k - 1].speed < found[k].speed ? found[k - 1] : found[k];
+      if (less.speed > worst.speed) worst = less;
     }
     return worst;
   }
 
 private:
+  bool turns_far(std::size_t k) const {
+    const Vector6<double> step = mean_twist(given_[k - 1].pose, given_[k].pose, 1);
+    return step.tail<3>().norm() > Settings::far_turn;
+  }
+
   const std::vector<TrajectoryFrame>& given_;
   double allowed_;
   FollowedMotion laws_;
@@ -79,10 +94,11 @@ private:
         most = std::max(most, astray.segment<3>(i).norm() / time);
       return most;
     };
+    laws_.begin_at(from, velocity_at(given_, from)); // it may have gone on to a later end
     const MotionRun::Saved before = laws_.run().save();
     std::optional<Eigen::VectorXd> last = led_astray(from, to, 1);
     if (!last) return std::nullopt;
-    double off = speed(*last);
+    double off = speed(*last), gained = off; // by the last doubling
     for (int parts = 2; parts <= Settings::change_parts && off > allowed_; parts *= 2) {
       laws_.run().restore(before);
       const std::optional<Eigen::VectorXd> finer = led_astray(from, to, parts);
@@ -90,10 +106,11 @@ private:
       const Eigen::VectorXd way = *finer - *last;
       const double part = way.squaredNorm() > 0 ? -way.dot(*last) / way.squaredNorm() : 0.0;
       off = std::min(off, speed(*last + std::clamp(part, 0.0, Settings::limit) * way));
-      if (off > 2 * speed(way) + allowed_) return off;
+      gained = speed(way);
+      if (off > 2 * gained + allowed_) return off;
       last = finer;
     }
-    return off > allowed_ ? 0 : off;
+    return off > allowed_ && off < Settings::settled * gained ? 0 : off;
   }
 };
 

@@ -26,6 +26,25 @@ ForeignAnswer turned(const SceneFile& file, ForeignAnswer answer, bool all) {
   return answer;
 }
 
+ForeignAnswer without_moments(ForeignAnswer answer) {
+  for (ForeignBody& body : answer.bodies) body.moment.reset();
+  return answer;
+}
+
+/// Is there a force in a contact plane?
+bool has_friction(const SceneFile& file, const ForeignAnswer& given) {
+  for (const ForeignContact& contact : given.contacts)
+    if ((contact.friction_force && !contact.friction_force->isZero(0)) ||
+        contact.torsion.value_or(0) != 0)
+      return true;
+  for (std::size_t b = 0; b < given.bodies.size(); ++b) {
+    if (!given.bodies[b].force) continue;
+    const Vector3<double>&f = *given.bodies[b].force, &n = file.bodies[b].normal;
+    if ((f - n.dot(f) * n).norm() > VerifySettings::same_place * f.norm()) return true;
+  }
+  return false;
+}
+
 ForeignAnswer with_forces_times(ForeignAnswer answer, double factor) {
   const auto scale = [&](auto& number) {
     if (number) *number *= factor;
@@ -92,9 +111,11 @@ std::vector<LikelyMistake> likely_mistakes(const SceneFile& file, const ForeignA
       "these are forces on the bodies; forces on the object are asked for";
   if (has_forces)
     list.push_back({"With every force turned round", on_bodies, turned(file, given, true), true});
-  if (has_vectors)
+  if (has_friction(file, given)) {
     list.push_back(
         {"With every friction force turned round", on_bodies, turned(file, given, false), true});
+    if (has_moments) list.back().beside = without_moments(given);
+  }
   const auto add = [&](bool is_given, const std::string& undone, const std::string& because,
                        ForeignAnswer answer) {
     if (is_given) list.push_back({undone, because, std::move(answer), false});
@@ -108,6 +129,7 @@ std::vector<LikelyMistake> likely_mistakes(const SceneFile& file, const ForeignA
   add(has_moments && has_forces, "With every moment divided by 1000",
       "these look like N mm; N m are asked for",
       with_moments_times(given, 1 / VerifySettings::thousand));
+  if (has_moments && has_forces) list.back().is_of_moments = true;
   add(given.acceleration.has_value(), "With the acceleration divided by 1000",
       "it looks like mm/s^2; m/s^2 are asked for",
       with_motion_times(given, 1 / VerifySettings::thousand));

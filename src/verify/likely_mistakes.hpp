@@ -10,7 +10,10 @@ struct LikelyMistake {
   std::string undone;  ///< "With every force turned round"
   std::string because; ///< "these are forces on the bodies; forces on the object are asked for"
   ForeignAnswer answer;
-  bool is_of_signs; ///< then a much smaller error tells as well
+  bool is_of_signs;                      ///< then a much smaller error tells as well
+  bool is_of_moments = false;            ///< only near lcpush's own: moments may be open
+  std::optional<ForeignAnswer> beside{}; ///< what is left out on the way: without the mistake
+                                         ///< undone it must not hold
 };
 
 /// Commonest first. Only those that change what is given.

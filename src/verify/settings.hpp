@@ -45,13 +45,17 @@ struct VerifySettings {
   static constexpr double at_rest = 1e-3;    ///< of the motion judged: slower, the laws hold it
   static constexpr double pushed_out = 5e-4; ///< of the object's size: a step of the laws still
                                              ///< pushes a point out that is so deep
+  static constexpr double stays = 1e-7;      ///< of the object's size: places in single precision
   static constexpr double start = 1e-3;      ///< of the object's size, and of a turn: a simulator's
                                              ///< first step goes less far
   static constexpr double first_frame = 1.5; ///< intervals from 0: a first frame after a step
   /// Times the allowed difference: a change of velocity that is followed. Accelerations that are
-  /// an eighth wrong make half of that wrong on average.
-  static constexpr double changes = 16;
+  /// a sixteenth wrong make half of that wrong on average.
+  static constexpr double changes = 32;
+  static constexpr double of_change = 0.125; ///< of a step's: its own velocity is off by less
+  static constexpr double settled = 4; ///< times what twice as many steps change: that is left
   static constexpr std::size_t least_change_frames = 8; ///< of few, schemes differ by as much
+  static constexpr double far_turn = 0.5;               ///< rad, between two frames
   static constexpr int change_parts = 16;               ///< of an interval between two frames
   static constexpr std::size_t change_frames = 200; ///< followed at most: seconds of a slow motion
   // How finely a step between two frames is repeated, doubling its parts.

@@ -95,6 +95,8 @@ private:
     Status status = Status::running;
     Pose<double> end;
     double off = 0;        ///< m/s, from where the motion goes
+    bool jumps = false;    ///< its velocity changes by much
+    bool is_far = false;   ///< one step goes too far to be one
     bool is_smooth = true; ///< made of equal steps, and no contact does something else on the way
     MotionRun::Saved saved;
   };
@@ -107,6 +109,7 @@ private:
       bool is_halved = false;
       step.status = laws_.advance(h / parts, is_halved, Settings::part_halvings);
       std::vector<Touch> touches = run_.touches();
+      step.is_far = step.is_far || (parts == 1 && is_halved);
       const bool goes_on = (k == 0 || touches == before) && !run_.leaves();
       step.is_smooth = step.is_smooth && goes_on && !is_halved;
       before = std::move(touches);
@@ -126,6 +129,11 @@ private:
     // A jump is over before a frame is: until steps are as short, all of them step over it.
     const Vector6<double> jump = run_.stepper().velocity() - before.moment.velocity;
     const bool jumps = laws_.telling().fastest(to.pose, jump) > Settings::jump * report_.fastest;
+    const auto told = [jumps, is_far = nearest.is_far](StepEnd end) {
+      end.jumps = jumps;
+      end.is_far = is_far;
+      return end;
+    };
     const double settles = jumps ? Settings::most_parts : Settings::settling_parts;
     // Who says how short its steps are may have made many; and a jump is wherever it is.
     const double said = jumps                     ? Settings::most_jump_parts
@@ -155,6 +163,36 @@ private:
       if (is_hopeless) break;
     }
     if (nearest.status == Status::solved) run_.restore(nearest.saved);
+    return told(std::move(nearest));
+  }
+
+  /// Where velocities are given they change as well as the places: m/s, by which the laws' own is
+  /// off, in as many parts as is best.
+  double velocity_off(const MotionRun::Saved& before, const StepEnd& own, const TrajectoryFrame& to,
+                      double h) {
+    // A coarse step's own is off by a part of what it changes.
+    const double slack =
+        Settings::of_change *
+        laws_.telling().fastest(to.pose, run_.stepper().velocity() - before.moment.velocity);
+    const auto off = [&](const Vector6<double>& velocity) {
+      return std::max(0.0, laws_.telling().fastest(to.pose, velocity - *to.twist) - slack);
+    };
+    double nearest = off(run_.stepper().velocity());
+    std::optional<Vector6<double>> last;
+    for (int parts = 1; parts <= Settings::most_parts && nearest > allowed(); parts *= 2) {
+      run_.restore(before);
+      if (step_in(to, h, parts).status != Status::solved) break;
+      const Vector6<double> velocity = run_.stepper().velocity();
+      nearest = std::min(nearest, off(velocity));
+      if (last) {
+        const Vector6<double> way = velocity - *last;
+        const double square = way.squaredNorm(),
+                     part = square > 0 ? way.dot(*to.twist - *last) / square : 0;
+        nearest = std::min(nearest, off(*last + std::clamp(part, 0.0, Settings::limit) * way));
+      }
+      last = velocity;
+    }
+    run_.restore(own.saved);
     return nearest;
   }
 
@@ -162,10 +200,13 @@ private:
   void step(std::size_t k) {
     const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
     const double h = to.time - from.time;
-    const bool is_unknown = !from.twist && k == 1; // its speed, before it has moved
-    laws_.begin_at(k - 1, velocity_at(given_, k - 1));
-    if (is_unknown) {
-      report_.status = run_.advance(h);
+    // Its speed, before it has moved; unless it is the scene's, which says one.
+    const bool is_start = k == 1 && from.time == 0 && !file_.start.isZero(0);
+    const bool is_unknown = !from.twist && k == 1 && !is_start;
+    laws_.begin_at(k - 1, is_start ? file_.start : velocity_at(given_, k - 1));
+    if (is_unknown) { // where that leads is not judged
+      bool is_halved = false;
+      (void)laws_.advance(h, is_halved, Settings::part_halvings);
       return;
     }
     for (Index b = 0; b < run_.scene().bodies.size; ++b)
@@ -175,9 +216,18 @@ private:
                      acceleration_at(run_.scene().points[i], run_.prescribed(b, to.time)).norm());
     goes_ = std::max(goes_, speed_between(laws_.telling(), from.pose, to.pose, h));
     report_.fastest = std::max(report_.fastest, goes_);
-    const StepEnd own = nearest_end(to, h);
+    const MotionRun::Saved before = run_.save();
+    StepEnd own = nearest_end(to, h);
     report_.status = own.status;
     if (report_.status != Status::solved) {
+      report_.worst_time = to.time;
+      return;
+    }
+    if (to.twist && (from.twist || is_start) && !own.jumps)
+      own.off = std::max(own.off, velocity_off(before, own, to, h));
+    if (own.is_far && !from.twist && own.off > allowed()) {
+      report_.is_coarse = true;
+      report_.status = Status::not_settled;
       report_.worst_time = to.time;
       return;
     }
@@ -193,6 +243,16 @@ private:
     return report_.forces && report_.forces->broken(report_.tolerance) != nullptr;
   }
 
+  double allowed() const { return report_.tolerance * report_.fastest; }
+
+  /// m, of a telling point from the first frame.
+  double farthest() const {
+    double most = 0;
+    for (const TrajectoryFrame& frame : given_)
+      most = std::max(most, speed_between(laws_.telling(), given_.front().pose, frame.pose, 1));
+    return most;
+  }
+
   void decide() {
     const double allowed = report_.tolerance * report_.fastest;
     const bool is_near = report_.worst <= allowed && report_.missed.speed <= allowed &&
@@ -201,7 +261,10 @@ private:
     const bool is_seen = report_.overlap.speed <= allowed ||
                          report_.overlap.depth <= Settings::pushed_out * laws_.telling().size;
     const bool goes_on = report_.status == Status::solved;
-    if (is_near)
+    // Nor does what is rounding of places that stay.
+    const bool stays = goes_on && own_ <= Settings::at_rest * goes_ && is_seen &&
+                       farthest() <= Settings::stays * laws_.telling().size;
+    if (is_near || stays)
       report_.verdict = !goes_on            ? TrajectoryVerdict::stopped
                         : has_wrong_force() ? TrajectoryVerdict::wrong_forces
                                             : TrajectoryVerdict::follows;

@@ -186,7 +186,7 @@ void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
   contact.missed = 2 * turn * (turn * telling_.size + step.h * beside.norm());
   const Vector6<double> faster =
       faces_.prescribed(b, step.time) - faces_.prescribed(b, step.time - step.h);
-  contact.unsure = acceleration_at(contact.position, faster).norm() / 2;
+  contact.unsure += acceleration_at(contact.position, faster).norm() / 2;
 }
 
 void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const Closings& end,
@@ -207,6 +207,9 @@ void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const C
     contact.position = now.position - step.begin.position;
     contact.normal = now.normal;
     if (reach_their_face) contact.position += now.gap * now.normal;
+    const Vector3<double> arm = then.position - frames_[k].pose.position - contact.position;
+    if (step.twist && is_over(then))
+      contact.unsure = cross<double>(Vector3<double>(step.twist->tail<3>()), arm).norm();
     if (is_known && is_over(then)) contact.gap = then.gap;
     const auto is_within = [&](const Pose<double>& object, const Pose<double>& body) {
       return is_over(placed(b, i, object, body, Settings::pushed_out));

@@ -110,6 +110,11 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
     return text + "; " + speed_text(report.creep) + " is the simulator's, not friction's.";
   }
   case TrajectoryVerdict::stopped:
+    if (report.is_coarse)
+      return "The motion is not judged: before " + brief(report.worst_time) +
+             " s the object goes so far from frame to frame that its speed is open; give "
+             "velocities, "
+             "or frames in between.";
     return "The laws have no step to " + brief(report.worst_time) +
            " s from where the motion is (" + std::string(status_text(report.status)) + ").";
   case TrajectoryVerdict::wrong_forces:
@@ -195,6 +200,7 @@ std::string trajectory_json(const SceneFile& file, const TrajectoryReport& repor
       .member("has_rotation", report.has_rotation)
       .member("unread", report.unread)
       .member("hint", unless_empty(report.hint))
+      .member("coarse", report.is_coarse)
       .member("status", status_text(report.status))
       .member("creep", report.creep)
       .member("held", report.held)

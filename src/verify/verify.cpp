@@ -145,8 +145,10 @@ private:
   void look_for_mistakes() {
     if (own_.report().status != Status::solved) return;
     for (const LikelyMistake& mistake : likely_mistakes(push_.file(), given_)) {
+      if (mistake.is_of_moments && !has_own_moments(mistake.answer)) continue;
       Verification check(push_.file(), mistake.answer, {report_.tolerance}, own_);
       check.settle();
+      if (mistake.beside && left_of(*mistake.beside) <= check.report_.residual) continue;
       const double left = check.report_.residual / report_.residual;
       const bool is_less = mistake.is_of_signs && left <= VerifySettings::turned;
       if (!check.holds() && !(is_less && report_.hint.empty())) continue;
@@ -156,6 +158,26 @@ private:
           ": " + mistake.because + ".";
       if (check.holds()) return;
     }
+  }
+
+  double left_of(const ForeignAnswer& other) {
+    Verification check(push_.file(), other, {report_.tolerance}, own_);
+    check.settle();
+    return check.report_.residual;
+  }
+  /// Is the largest moment about as large as in lcpush's own answer?
+  bool has_own_moments(const ForeignAnswer& other) const {
+    const Scene<double> scene = push_.file().view();
+    double given = 0, own = 0;
+    for (std::size_t b = 0; b < other.bodies.size(); ++b) {
+      if (!other.bodies[b].moment) continue;
+      given = std::max(given, other.bodies[b].moment->norm());
+      own = std::max(own,
+                     body_wrench(scene, own_.report().answer, scene.bodies[static_cast<Index>(b)])
+                         .tail<3>()
+                         .norm());
+    }
+    return std::abs(given - own) <= own / 2;
   }
 
   const ForeignAnswer& given_;

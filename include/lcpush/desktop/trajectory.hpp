@@ -134,6 +134,7 @@ struct TrajectoryReport {
   std::vector<std::string> unread;   ///< as its file
   std::string hint;                  ///< other units or order with which it would fit; or empty
   Status status = Status::solved;    ///< of the step that stopped
+  bool is_coarse = false;            ///< it did as frames so far apart leave its speed open
   double creep = 0;                  ///< m/s, mean speed of the contact point that goes farthest
   std::optional<double> held;        ///< so many times the grip that holds: the scene's own
   std::optional<ForceReport> forces; ///< none: the motion says nothing of them
