@@ -133,10 +133,20 @@ std::string cell(double value, bool is_held) {
   return std::isnan(value) ? "-" : std::isinf(value) ? is_held ? "any" : "-" : brief(value);
 }
 
-/// "?" where statics allows it and the scene's law has not said how far; nothing across a plane.
+/// "<5.8" where statics bounds it and the scene's law has not said how far, "?" where nothing does;
+/// nothing across a plane.
 std::string limit_cell(const HoldLimit& limit) {
   if (!std::isnan(limit.limit)) return cell(limit.limit, true);
-  return std::isnan(limit.statics) ? "" : "?";
+  return std::isnan(limit.statics)   ? ""
+         : std::isinf(limit.statics) ? "?"
+                                     : "<" + brief(limit.statics);
+}
+
+/// Is a limit not known that statics bounds?
+bool has_unknown(const HoldStudy& study) {
+  return std::any_of(study.limits.begin(), study.limits.end(), [](const HoldLimit& limit) {
+    return std::isnan(limit.limit) && std::isfinite(limit.statics);
+  });
 }
 
 TableRows limit_rows(const HoldStudy& study) {
@@ -230,6 +240,10 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
              acceleration_text(study.other->acceleration, study.other->length, Telling::brief)});
   if (const std::string text = weakest_text(file, study); !text.empty())
     facts.push_back({"Weakest against", text});
+  if (has_unknown(study))
+    facts.push_back({"Not known",
+                     "where the table has <: contacts may bear so much, and how much of "
+                     "it their law lets them bear took too long to find out"});
   if (study.may_bear_more)
     facts.push_back({"At least", "so much is borne; whether more is took too long to find out. "
                                  "Fewer points a pad, of the same surface, tell it"});
@@ -274,7 +288,8 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& given) {
   else if (study.grip.force == 0)
     text += " where it rests";
   const HoldLimit* const least = study.limits.empty() ? nullptr : least_of(file, study);
-  std::string beside = "; weakest against ";
+  std::string beside =
+      has_unknown(study) ? "; of what is known weakest against " : "; weakest against ";
   for (const Disturbance kind : {Disturbance::moment, Disturbance::force})
     if (const HoldLimit& free = study.weakest[static_cast<std::size_t>(kind)]; free.limit == 0) {
       text += "; nothing resists " + against(free);

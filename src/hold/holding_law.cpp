@@ -13,7 +13,9 @@ namespace lcpush::desktop {
 HoldingLaw::HoldingLaw(const SceneFile& hand, const PushOptions& options)
     : hand_(hand), work_(options), touching_(hand.points.size(), true),
       holds_now_(holds(1, Vector6<double>::Zero())), pads_(hand, touching_),
-      pads_least_(pads_.grip(true)) {
+      pads_least_(pads_.grip(true)), is_open_(hand.hand != Hand::parallel) {
+  for (Index b = 0; b < static_cast<Index>(hand.bodies.size()); ++b)
+    is_open_ = is_open_ || !is_driven(hand.view(), b);
   if (!holds_now_ && pads_least_ <= 1) holds_now_ = true;
 }
 
@@ -56,8 +58,8 @@ double HoldingLaw::least_grip(double bound) {
 
 double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {
   const double pads = pads_.limit(wrench, !asks);
-  if (std::isinf(pads)) return bound;
-  const bool is_proved = !std::isnan(pads);
+  if (std::isinf(pads) && std::isinf(bound)) return bound;
+  const bool is_proved = std::isfinite(pads) && !is_open_; // surfaces know no prestress
   const double limit = is_proved ? std::min(pads, bound) : bound;
   if (!asks || !(limit > 0)) return limit;
   // Points bear less than surfaces of all the load, as if the grip were less.
@@ -68,18 +70,26 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) {
     // Which points touch was improved from corner to corner: the law may know better ones.
     const double more = (1 + hold_settings.of_points) * limit;
-    if (!(more < bound && std::isfinite(bound))) return limit;
+    if (!(more < bound && std::isfinite(bound))) return is_open_ ? not_less(limit, is_held) : limit;
     const std::optional<bool> holds_more = is_held(more);
     may_bear_more_ = may_bear_more_ || (!holds_more && work_.is_used_up());
-    if (holds_more != true) return limit;
+    if (holds_more != true) return is_open_ ? not_less(limit, is_held) : limit;
     const double near = (1 - hold_settings.of_points) * bound; // mostly it is statics' then
-    return halved(bound, near > more && is_held(near) == true ? near : more, is_held);
+    const double found = halved(bound, near > more && is_held(near) == true ? near : more, is_held);
+    return is_open_ ? not_less(found, is_held) : found;
   }
   const double far = std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm();
   const double found = searched(far, -1, is_held);
+  const double least = not_less(found, is_held);
+  return least == found && found >= most ? limit : least;
+}
+
+/// A load that is held, or less where a part of it is not: beside a table or a locked finger the
+/// law holds some loads by a prestress that less of them do not make.
+double HoldingLaw::not_less(double held, const Question& is_held) const {
   for (const double part : hold_settings.less)
-    if (holds(1, part * found * wrench) == false) return halved(part * found, 0, is_held);
-  return found >= most ? limit : found;
+    if (is_held(part * held) == false) return halved(part * held, 0, is_held);
+  return held;
 }
 
 /// From what does not hold upwards or downwards: the nearest that is found to hold. What lies

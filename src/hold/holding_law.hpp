@@ -42,12 +42,14 @@ private:
   std::optional<bool> holds_now_;
   PadLimits pads_;
   double pads_least_;
+  bool is_open_; // what does not close by itself may hold by a prestress, more than less of a load
 
   PushOptions options() const;
 
   using Question = std::function<std::optional<bool>(double)>;
   double searched(double refuted, double sign, const Question& is_held) const;
   double halved(double refuted, double held, const Question& is_held) const;
+  double not_less(double held, const Question& is_held) const;
 };
 
 } // namespace lcpush::desktop

@@ -147,6 +147,18 @@ class ClosedForms(unittest.TestCase):
         self.assertIn("which slides it that way over left and right",
                       told(scene(pinch(shape="disc", radius=0.006, points=8), gravity=(0, 0, 0))))
 
+    def test_no_prestress_between_jaws_and_a_table_is_counted_on(self):
+        """The jaws' friction and pressure and the table's friction resist a twist with 4.03 N m; pressed down by the jaws, with 5.83."""
+        jaws = "".join(finger(name, None, [0, 0, -1 if name == "left" else 1], on="+z" if name == "left" else "-z", shape="disc", radius=0.006,
+                              grip_force=60).replace("normal", "# normal") for name in ("left", "right"))
+        bed = finger("table", None, [0, 1, 0], 0.8, on="-y", shape="rectangle", size=[0.12, 0.1], points=[2, 2]).replace("normal", "# normal")
+        answer = hold(scene(jaws, bed, gravity=(0, -10, 0), mass=0.5, box=(0.12, 0.12, 0.1)))
+        self.assertTrue(answer["held"])
+        for entry in answer["disturbances"]:
+            if entry["kind"] == "moment" and entry["direction"] in ([0, 1, 0], [0, -1, 0]):
+                self.assertTrue(entry["limit"] is None or entry["limit"] < 4.2, entry)
+                self.assertAlmostEqual(entry["statics_limit"], 5.83, delta=0.02)
+
     def test_soft_points_resist_a_twist_with_their_ellipsoid(self):
         self.judge(scene(pinch(torsion_radius=0.004)), WEIGHT / 20, [
             ("moment", (0, 1, 0), 2 * 0.004 * math.sqrt(10 ** 2 - (WEIGHT / 2) ** 2))])

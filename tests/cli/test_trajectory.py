@@ -56,6 +56,37 @@ class Trajectory(ToolTest):
         self.assertEqual((report["verdict"], code, report["overlap"], report["hint"]), ("follows", 0, 0, None))
         self.assertEqual(moves(0.01, "time,x,y,z,roll,pitch,yaw")[0]["unread"], ["roll", "pitch", "yaw"])
 
+    def test_wrong_accelerations_are_refused_in_few_frames_and_in_many(self):
+        thrown, ball = (SOURCE / f"fixtures/canonical/{name}.toml" for name in ("thrown_up", "bowling_ball"))
+
+        def flies(g, frames, with_speeds=False, spin=5.0, speed=2.0):
+            rows = ["time,x,y,z,qw,qx,qy,qz" + ",vx,vy,vz,wx,wy,wz" * with_speeds]
+            for t in (0.3 * k / frames for k in range(frames + 1)):
+                row = [t, t, speed * t - g * t * t / 2, 0, math.cos(spin * t / 2), 0, 0, math.sin(spin * t / 2)]
+                rows.append(",".join(map(str, row + [1, speed - g * t, 0, 0, 0, spin] * with_speeds)))
+            return self.verdict(thrown, self.file("m.csv", "\n".join(rows)))[0]["verdict"]
+        for frames in (10, 40, 100):
+            self.assertEqual(flies(9.81, frames), "follows", frames)
+            for g in (5, 8, 12):
+                for with_speeds in (False, True):
+                    self.assertEqual(flies(g, frames, with_speeds), "differs", (g, frames, with_speeds))
+            self.assertEqual(flies(9.81, frames, spin=0), "differs", frames)  # the scene's turns
+            self.assertEqual(flies(9.81, frames, speed=1.5), "differs", frames)
+        glides = ["time,x,y,z,qw,qx,qy,qz"] + [f"{0.6 * k / 200},{1.2 * k / 200},0,0,1,0,0,0" for k in range(201)]
+        self.assertEqual(self.verdict(ball, self.file("m.csv", "\n".join(glides)))[0]["verdict"], "differs")
+
+    def test_frames_too_far_apart_to_tell_a_speed_are_not_judged(self):
+        cube = SOURCE / "fixtures/canonical/thrown_cube.toml"  # 6 m/s, 0.1 m large
+        rows = ["time,x,y,z"] + [f"{t},{6 * t - 0.25 * 9.81 * t * t},0,0" for t in (k / 16 for k in range(11))]
+        report, code = self.verdict(cube, self.file("m.csv", "\n".join(rows)))
+        self.assertEqual((report["verdict"], report["coarse"], code), ("stopped", True, 1))
+
+    def test_rounding_of_an_object_that_stays_is_no_motion(self):
+        scene = self.file("held.toml", HELD)
+        for noise, verdict in ((1e-10, "follows"), (1e-5, "creeps")):
+            rows = ["time,x,y,z"] + [f"{k / 100},{noise * (k % 3)},{-noise * (k % 2)},0" for k in range(20)]
+            self.assertEqual(self.verdict(scene, self.file("m.csv", "\n".join(rows)))[0]["verdict"], verdict, noise)
+
     def test_other_units_and_orders_are_told(self):
         frames = json.loads(self.own("--json"))["frames"]
         large = {"frames": [{"time": f["time"], "position": [1e3 * x for x in f["position"]],
