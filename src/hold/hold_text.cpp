@@ -4,6 +4,7 @@
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
+#include "text/wording.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "scenes/table_reader.hpp"
 
+#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
 
