@@ -152,8 +152,10 @@ std::string contacts_text(const ContactProblem& problem, const ContactForces& an
   TableRows rows = {{"contact", "normal force", "friction", "slip speed", "mode"}};
   for (Index c = 0; c < shown; ++c) {
     const auto r = answer.r.segment<3>(3 * c), u = answer.u.segment<3>(3 * c);
+    const bool is_open = answer.modes[static_cast<std::size_t>(c)] == ForceMode::open;
+    const double none = is_open ? zero : ContactSettings::solved * r.norm(); // beside heavier ones
     rows.push_back(
-        {std::to_string(c + 1), number(r[0], zero), number(r.tail<2>().norm(), zero),
+        {std::to_string(c + 1), number(r[0], none), number(r.tail<2>().norm(), none),
          number(u.tail<2>().norm(), still),
          force_mode_texts[static_cast<std::size_t>(answer.modes[static_cast<std::size_t>(c)])]});
   }

@@ -41,7 +41,8 @@ Overlap find_overlap(const SceneFile& file, const std::vector<TrajectoryFrame>& 
         depth.until = step.time;
       }
       const double deeper = now - before - contact.missed - nothing;
-      if (!(deeper > worst.speed * step.h)) continue;
+      const bool is_geometry = now - depth.first <= VerifySettings::gap * size; // of two programs
+      if (is_geometry || !(deeper > worst.speed * step.h)) continue;
       worst.point = static_cast<Index>(i);
       worst.speed = deeper / step.h;
       worst.time = step.time;

@@ -60,6 +60,7 @@ struct VerifySettings {
   static constexpr std::size_t change_frames = 200; ///< followed at most: seconds of a slow motion
   // How finely a step between two frames is repeated, doubling its parts.
   static constexpr double most_parts = 64;          ///< simulators make up to 50 steps a frame
+  static constexpr int wrong_frames = 20;           ///< then one part a frame: its verdict stands
   static constexpr double most_stated_parts = 1024; ///< where the file says how short its steps are
   static constexpr double most_jump_parts = 256; ///< where it jumps: a moment to 1/256 of a frame
   static constexpr double settling_parts = 4; ///< from then on twice as many say how many will do

@@ -139,7 +139,10 @@ private:
     const double said = jumps                     ? Settings::most_jump_parts
                         : to.step && *to.step > 0 ? h / *to.step
                                                   : 0;
-    const double most = std::clamp(said, Settings::most_parts, Settings::most_stated_parts);
+    // Of a motion that is wrong in many places more parts only take time.
+    const double most = wrong_ >= Settings::wrong_frames
+                            ? 1
+                            : std::clamp(said, Settings::most_parts, Settings::most_stated_parts);
     for (int parts = 2; parts <= most; parts *= 2) {
       const bool is_solved = last.status == Status::solved;
       if (is_solved && nearest.off <= report_.tolerance * report_.fastest) break;
@@ -232,6 +235,7 @@ private:
       return;
     }
     own_ = std::max(own_, speed_between(laws_.telling(), from.pose, own.end, h));
+    wrong_ += own.off > allowed() ? 1 : 0;
     if (own.off > (1 + Settings::same_speed) * report_.worst)
       report_.worst_time = to.time; // the first of equals
     report_.worst = std::max(report_.worst, own.off);
@@ -278,6 +282,7 @@ private:
   FollowedMotion laws_;
   MotionRun& run_ = laws_.run();
   TrajectoryReport report_;
+  int wrong_ = 0;             ///< steps
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
 };
 

@@ -107,7 +107,11 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
   case TrajectoryVerdict::creeps: {
     std::string text = "The motion creeps: Coulomb's law holds " + object_name(file);
     if (report.held) text += ", with " + brief(*report.held) + " times the grip that it takes";
-    return text + "; " + speed_text(report.creep) + " is the simulator's, not friction's.";
+    return text + "; " +
+           (report.creep < VerifySettings::negligible * report.fastest
+                ? "what it does to and fro is"
+                : speed_text(report.creep) + " is") +
+           " the simulator's, not friction's.";
   }
   case TrajectoryVerdict::stopped:
     if (report.is_coarse)
@@ -172,8 +176,10 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
     facts.push_back({"Changes", "over several steps the laws lead to another mean velocity by " +
                                     speed_text(report.missed.speed) + " at most"});
   if (report.offset)
-    facts.push_back({"Begins at", vector_text(*report.offset) +
-                                      " m instead of 0: its positions are judged from there on"});
+    facts.push_back({"Begins", report.offset->isZero(0)
+                                   ? "turned, unlike the scene: its turns are judged from there on"
+                                   : "at " + vector_text(*report.offset) +
+                                         " m instead of 0: its places are judged from there on"});
   if (!report.has_rotation)
     facts.push_back({"Rotation", "the file says none: the object is taken not to turn"});
   if (!report.unread.empty())

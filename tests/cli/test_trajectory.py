@@ -158,7 +158,7 @@ class Trajectory(ToolTest):
         for start in ((0.5, 0.3, 0.01), (0, 0, 0.01), (-3, 0, 0)):
             report, text = self.fall(right, 0.06, 61, start)
             self.assertEqual((report["verdict"], report["offset"]), ("follows", list(start)))
-            self.assertIn("Begins at", text)
+            self.assertIn("Begins", text)
         self.assertIsNone(self.fall(right, 0.06, 61)[0]["offset"])
         moved = json.loads(self.own("--json"))
         for frame in moved["frames"]:
