@@ -84,8 +84,8 @@ public:
     FunnelReport report;
     report.pusher = pusher_;
     report.box = box;
-    report.from = -capture(-1);
-    report.until = capture(1);
+    report.from = -capture(-1, report.is_capture_known);
+    report.until = capture(1, report.is_capture_known);
     const int sides[] = {box[0] > 0 ? 3 : 1, box[1] > 0 ? 3 : 1, box[2] > 0 ? settings.angles : 1};
     const auto at = [&](int k, int side) {
       return sides[side] == 1
@@ -105,15 +105,16 @@ private:
   Index pusher_;
   Edge edge_;
 
-  /// Steps until it is flush, or has turned away. `most`: of steps; `until`: of its angle, where
-  /// less shows that it goes on towards the edge.
+  /// Steps until it is flush, or has turned away. `enough`: of its angle; less shows that it turns
+  /// to the edge.
   FlushPush push(const EdgePose& begin, double enough = 0) {
     FlushPush result;
     result.begin = begin;
     const Pose<double> start = edge_.pose(begin);
     result.contact = edge_.reach(start).first;
     MotionRun run(file_);
-    if (run.start() != Status::running) return result;
+    result.status = run.start();
+    if (result.status != Status::running) return result;
     run.begin_strokes();
     Pose<double> edge;
     edge.position = result.contact * edge_.normal();
@@ -126,8 +127,15 @@ private:
     for (int k = 0; k < settings.most_flush_steps; ++k) {
       const double angle = std::abs(Edge::angle(run.stepper().pose()));
       result.is_flush = gap <= flush || (enough > 0 && angle < enough * first);
-      if (result.is_flush || angle > (1 + settings.turned_away) * first) break;
-      if (run.advance(step / edge_.speed()) != Status::solved) break;
+      if (result.is_flush || angle > (1 + settings.turned_away) * first) {
+        result.status = Status::solved;
+        break;
+      }
+      const Status status = run.advance(step / edge_.speed());
+      if (status != Status::solved) {
+        result.status = status;
+        break;
+      }
       const auto [near, far] = edge_.reach(run.stepper().pose());
       const double now = far - near, closes = last - gap;
       // It met the other end on the way: where, its last step says.
@@ -139,13 +147,17 @@ private:
     return result;
   }
 
-  /// The largest angle to that side from which it turns towards the edge, and ends flush.
-  double capture(double sign) {
-    double captured = 0, lost = right_angle;
+  /// The largest angle to that side from which it is found to turn towards the edge.
+  double capture(double sign, bool& is_known) {
+    double captured = 0, beyond = right_angle;
+    bool turns_away = true; // from a right angle another face comes first
     for (int k = 0; k < settings.capture_halvings; ++k) {
-      const double middle = (captured + lost) / 2;
-      (push({0, 0, sign * middle}, 1 - settings.turned_away).is_flush ? captured : lost) = middle;
+      const double middle = (captured + beyond) / 2;
+      const FlushPush found = push({0, 0, sign * middle}, 1 - settings.turned_away);
+      if (!found.is_flush) turns_away = found.status == Status::solved;
+      (found.is_flush ? captured : beyond) = middle;
     }
+    is_known = is_known && turns_away;
     return captured;
   }
 

@@ -26,23 +26,36 @@ std::string box_text(const EdgePose& box) {
   return "within " + listed(sides, "and");
 }
 
+std::string pose_text(const EdgePose& pose) {
+  return millimetres(pose[0]) + ", " + millimetres(pose[1]) + " and " + degrees(pose[2]) +
+         " degrees";
+}
+
+/// One that does not end flush; first of those of which that is known.
 const FlushPush* first_lost(const FunnelReport& report) {
+  const FlushPush* lost = nullptr;
   for (const FlushPush& push : report.pushes)
-    if (!push.is_flush) return &push;
-  return nullptr;
+    if (!push.is_flush &&
+        (lost == nullptr || (lost->status != Status::solved && push.status == Status::solved)))
+      lost = &push;
+  return lost;
 }
 
 std::string answer(const SceneFile& file, const FunnelReport& report) {
   const std::string edge = file.body_name(report.pusher), object = object_name(file);
-  if (const FlushPush* const lost = first_lost(report))
+  const FlushPush* const lost = first_lost(report);
+  if (lost == nullptr)
+    return "From every pose tried " + box_text(report.box) + " " + object + " ends flush with " +
+           edge + "; " + edge + " goes " + millimetres(report.way) + " for that.";
+  if (lost->status == Status::solved)
     return "Not every pose " + box_text(report.box) + " ends flush with " + edge + ": from " +
-           millimetres(lost->begin[0]) + ", " + millimetres(lost->begin[1]) + " and " +
-           degrees(lost->begin[2]) + " degrees " + object + " does not.";
-  std::string text = object + " ends flush with " + edge + " from every pose tried " +
-                     box_text(report.box) + "; " + edge + " goes " + millimetres(report.way) +
-                     " for that.";
-  text[0] = 'T'; // "the box"
-  return text;
+           pose_text(lost->begin) + " " + object + " does not.";
+  return "It is not known whether " + object + " ends flush with " + edge + " from " +
+         pose_text(lost->begin) + ": " +
+         (lost->status == Status::running
+              ? "it turns too slowly to tell"
+              : "a step has no answer (" + std::string(status_text(lost->status)) + ")") +
+         ".";
 }
 
 /// What is left of the box, beside what it was.
@@ -51,7 +64,8 @@ std::string left_text(const FunnelReport& report) {
                      " along the edge, 0 mm along the push, 0 degrees";
   const double before = 2 * report.box[1];
   if (before > 0)
-    text += "; along the edge " + brief(report.along() / before) + " times what it was";
+    text += "; along the edge " + brief((report.along_until - report.along_from) / before) +
+            " times what it was";
   return text;
 }
 
@@ -70,9 +84,11 @@ Fact goal_fact(const FunnelReport& report, const EdgePose& goal) {
 
 std::string funnel_text(const SceneFile& file, const FunnelReport& report,
                         const std::optional<EdgePose>& goal) {
-  std::vector<Fact> facts{{"Turns to it", "from " + degrees(report.from) + " to " +
-                                              degrees(report.until) +
-                                              " degrees, in the middle of the box"}};
+  const std::string range = "from " + degrees(report.from) + " to " + degrees(report.until) +
+                            " degrees, in the middle of the box";
+  std::vector<Fact> facts{{"Turns to it", report.is_capture_known      ? range
+                                          : report.from < report.until ? "at least " + range
+                                                                       : "not known from where"}};
   if (report.is_flush) {
     facts.push_back({"All flush", "with the edge " + millimetres(report.stop) +
                                       " beyond its place in the scene"});
@@ -90,6 +106,7 @@ std::string funnel_json(const SceneFile& file, const FunnelReport& report) {
       .member("flush", report.is_flush)
       .member("pusher", file.body_name(report.pusher))
       .member("capture", std::vector<double>{report.from, report.until})
+      .member("capture_known", report.is_capture_known)
       .member("way", when(report.is_flush, report.way))
       .member("stop", when(report.is_flush, report.stop));
   json.member("along",
@@ -97,6 +114,7 @@ std::string funnel_json(const SceneFile& file, const FunnelReport& report) {
   json.objects("pushes", report.pushes, [&](const FlushPush& push) {
     json.member("begin", push.begin)
         .member("flush", push.is_flush)
+        .member("status", status_text(push.status))
         .member("contact", push.contact)
         .member("way", when(push.is_flush, push.way))
         .member("along", when(push.is_flush, push.along));

@@ -15,18 +15,19 @@ struct DesignSettings {
   double work = 3e6, model_work = 6000, margin_work = 60, hold_work = 400, few_work = 1e5;
   /// Places on a grid over choices in which no condition is linear: of one, of each of two, ..
   int grid[5] = {17, 5, 3, 2, 2};
-  int halvings = 24;     ///< of a step from the best one
-  double enough = 1e6;   ///< N: room that does not matter
-  int ways[2] = {9, 3};  ///< that each of a few choices, or of many, may go in a step
-  std::size_t most = 12; ///< choices
-  double beyond = 1e-6;  ///< over a margin: there it surely slips
-  int curve_steps = 80;  ///< of a picture
+  int halvings = 24;       ///< of a step from the best one
+  double enough = 1e6;     ///< N: room that does not matter
+  int ways[2] = {9, 3};    ///< that each of a few choices, or of many, may go in a step
+  std::size_t most = 12;   ///< choices
+  double beyond = 1e-6;    ///< over a margin: there it surely slips
+  int curve_steps = 80;    ///< of a picture
+  int break_halvings = 40; ///< of such a step, to where another condition binds
+
   // Funnels. Angles of a box; steps of the edge over what the far end of its face is away, and in
   // all; of the width, what is flush; of an angle, what shows which way it turns: 1/100 has closed
   // forms to 0.1 per cent.
   int angles = 5, flush_steps = 100, most_flush_steps = 1000, capture_halvings = 10;
   double flush = 1e-6, turned_away = 2e-3;
-  int break_halvings = 40; ///< of such a step, to where another condition binds
 };
 
 constexpr DesignSettings design_settings;

@@ -104,8 +104,7 @@ private:
       const std::optional<Eigen::VectorXd> finer = led_astray(from, to, parts);
       if (!finer) return std::nullopt;
       const Eigen::VectorXd way = *finer - *last;
-      const double part = way.squaredNorm() > 0 ? -way.dot(*last) / way.squaredNorm() : 0.0;
-      off = std::min(off, speed(*last + std::clamp(part, 0.0, Settings::limit) * way));
+      off = std::min(off, speed(*last + part_of(way, -*last) * way));
       gained = speed(way);
       if (off > 2 * gained + allowed_) return off;
       last = finer;

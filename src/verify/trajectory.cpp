@@ -189,9 +189,7 @@ private:
       nearest = std::min(nearest, off(velocity));
       if (last) {
         const Vector6<double> way = velocity - *last;
-        const double square = way.squaredNorm(),
-                     part = square > 0 ? way.dot(*to.twist - *last) / square : 0;
-        nearest = std::min(nearest, off(*last + std::clamp(part, 0.0, Settings::limit) * way));
+        nearest = std::min(nearest, off(*last + part_of(way, *to.twist - *last) * way));
       }
       last = velocity;
     }

@@ -4,6 +4,9 @@
 
 #include "lcpush/desktop/trajectory.hpp"
 #include "move/stroke_faces.hpp"
+#include "verify/settings.hpp"
+
+#include <algorithm>
 
 namespace lcpush::desktop {
 
@@ -98,6 +101,13 @@ private:
   Surroundings<double> around_;
   TellingPoints telling_;
 };
+
+/// How much of `way`, that twice as many steps change, leads nearest to `to`; up to what ever more
+/// of them change.
+template <class Vector, class Other> double part_of(const Vector& way, const Other& to) {
+  const double square = way.squaredNorm();
+  return square > 0 ? std::clamp(way.dot(to) / square, 0.0, VerifySettings::limit) : 0;
+}
 
 /// Of all points over all steps, from the first frame on.
 Overlap find_overlap(const SceneFile& file, const std::vector<TrajectoryFrame>& frames);

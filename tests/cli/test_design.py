@@ -73,6 +73,16 @@ class Funnel(ToolTest):
         self.assertIn("The edge stops".lower(), told.lower())
         self.assertIn("from -73.", told)
 
+    def test_a_step_without_an_answer_is_no_verdict(self):
+        text = fence().replace("velocity = [0, 0.0001, 0]", "velocity = [0, 1e-12, 0]")  # beside forces of 20 N
+        answer = self.funnel(text, "0 0 0.3", status=1)
+        self.assertFalse(answer["capture_known"])
+        self.assertIn("numerical_breakdown", [push["status"] for push in answer["pushes"]])
+        told = " ".join(run("design", self.file("f.toml", text), "--from-box", "0 0 0.3").stdout.split())
+        self.assertIn("It is not known whether the box ends flush with fence", told)
+        sure = self.funnel(fence(), "0 0 1.4", status=1)
+        self.assertEqual(({push["status"] for push in sure["pushes"]}, sure["capture_known"]), ({"solved"}, True))
+
     def test_what_is_no_edge_is_refused(self):
         for change, other in (("planar = true", ""), ("velocity = [0, 0.0001, 0]", "velocity = [0.0001, 0.0001, 0]"),
                               ("velocity = [0, 0.0001, 0]", "acceleration = [0, 0.1, 0]"),

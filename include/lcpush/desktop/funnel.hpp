@@ -1,8 +1,9 @@
 // How a push with a flat edge aligns an object that lies in its grip anyhow: from which angles it
-// ends flush, and how much smaller a box of poses is then (docs/guide/funnel.md).
+// ends flush, and how much smaller a box of poses is then (docs/guide/design.md).
 #pragma once
 
 #include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/status.hpp"
 
 #include <array>
 #include <optional>
@@ -18,6 +19,8 @@ using EdgePose = std::array<double, 3>;
 /// A push from one pose, until the object lies flush with the edge.
 struct FlushPush {
   EdgePose begin{};
+  Status status = Status::running; ///< solved: it ends flush or turns away; running: it has done
+                                   ///< neither in all its steps; else why a step has no answer
   bool is_flush = false;
   double contact = 0; ///< m beyond its place in the scene, where the edge touches first
   double way = 0;     ///< m, how far it goes from there
@@ -27,16 +30,14 @@ struct FlushPush {
 struct FunnelReport {
   Index pusher = -1;
   EdgePose box{};                ///< half the sides of the box of poses
-  double from = 0, until = 0;    ///< rad: from angles between these an object in the middle ends
-                                 ///< flush; rounding keeps them within a right angle
+  double from = 0, until = 0;    ///< rad: from angles between these an object in the middle of the
+                                 ///< box turns to the edge
+  bool is_capture_known = true;  ///< beyond them it turns away; else that is not known
   std::vector<FlushPush> pushes; ///< from the corners of the box, and between
   bool is_flush = false;         ///< all are, then
   double way = 0;                ///< m, from the first touch of any to where all are flush
   double stop = 0;               ///< m, where the edge is then, beyond its place in the scene
   double along_from = 0, along_until = 0; ///< m, between which the object ends along the edge
-
-  /// By how many times smaller the box's side along the edge, and its area with the normal, is.
-  double along() const { return along_until - along_from; }
 };
 
 /// The scene's text with its pusher's points on the object: the edge has no end.
