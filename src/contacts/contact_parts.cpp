@@ -66,8 +66,8 @@ ContactParts::ContactParts(const JsonValue& root, std::string name) : name_(std:
       unread.push_back(key);
   for (const char* key : known_keys)
     if (const JsonValue* const value = root.find(key))
-      parts_[key] =
-          rows_of(key == std::string("mu") ? of_all_contacts(*value) : *value, fields, key);
+      parts_[key] = key == std::string("mu") ? rows_of(of_all_contacts(*value), fields, key)
+                                             : rows_of(*value, fields, key);
   const std::string normal = fields.text(root, "normal");
   is_normal_last = normal == "last";
   if (!normal.empty() && normal != "first" && normal != "last")

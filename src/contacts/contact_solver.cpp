@@ -4,6 +4,7 @@
 //
 // Every contact is scaled by what moves it, r_c = d_c x_c and u_c = v_c / d_c with the largest
 // diagonal entry of D W D 1: cones stay cones, and a mass ratio between contacts is gone.
+#include "contacts/contact_order.hpp"
 #include "contacts/settings.hpp"
 #include "dense/decompositions.hpp"
 #include "lcpush/desktop/contacts.hpp"
@@ -35,6 +36,7 @@ private:
   double unit_;    // of all forces: the largest number of b and s
   SparseRows W_;   // scaled, eps and V give V' added
   MatrixXd V_;
+  std::vector<Index> order_;      // of elimination
   VectorXd b_, s_, give_, mu_;    // scaled; give: 1 / (delta - R), of the method of multipliers
   VectorXd x_, l_;                // where we are
   VectorXd q_;                    // b and what a step's start adds: velocities are W x + q
@@ -78,6 +80,7 @@ ContactSolver::ContactSolver(const ContactProblem& problem)
     : problem_(problem), k_(problem.contacts()), d_(VectorXd::Ones(3 * k_)), V_(problem.V),
       mu_(problem.mu), x_(VectorXd::Zero(3 * k_)), l_(VectorXd::Zero(problem.s.size())) {
   scale();
+  order_ = contact_order(W_);
   recenter();
 }
 
@@ -183,7 +186,7 @@ VectorXd ContactSolver::residual(const VectorXd& x, const VectorXd& v) const {
 std::optional<VectorXd> ContactSolver::newton_step(const VectorXd& v, const VectorXd& F) {
   VectorXd dx = VectorXd::Zero(3 * k_);
   std::vector<Index> place(static_cast<std::size_t>(k_), -1), active;
-  for (Index c = 0; c < k_; ++c) {
+  for (const Index c : order_) {
     if (is_closed(c, v)) {
       place[static_cast<std::size_t>(c)] = 3 * static_cast<Index>(active.size());
       active.push_back(c);

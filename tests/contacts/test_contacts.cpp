@@ -2,9 +2,11 @@
 // contacts are told by what they do. Judged here by laws written out once more.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "contacts/contact_order.hpp"
 #include "lcpush/desktop/contacts.hpp"
 #include <Eigen/Geometry>
 
@@ -105,6 +107,24 @@ VectorXd changed(Random& random, const ContactProblem& problem, const ContactFor
 }
 
 } // namespace
+
+TEST_CASE("contacts of a chain, shuffled, are eliminated along the chain") {
+  Random random(7);
+  const Index k = 40;
+  std::vector<Index> place(static_cast<std::size_t>(k)); // link i of the chain is contact place[i]
+  for (Index i = 0; i < k; ++i) place[static_cast<std::size_t>(i)] = i;
+  std::shuffle(place.begin(), place.end(), random);
+  MatrixXd W = 2 * MatrixXd::Identity(3 * k, 3 * k);
+  for (Index i = 0; i + 1 < k; ++i) {
+    const Index a = 3 * place[static_cast<std::size_t>(i)],
+                b = 3 * place[static_cast<std::size_t>(i) + 1];
+    W(a, b) = W(b, a) = -1;
+  }
+  const std::vector<Index> order =
+      contact_order(contact_problem(W, VectorXd::Zero(3 * k), VectorXd::Zero(k)).W);
+  REQUIRE(order.size() == static_cast<std::size_t>(k));
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) CHECK(W(3 * order[i], 3 * order[i + 1]) == -1);
+}
 
 TEST_CASE("a heavy block elsewhere hides nothing of a light one") {
   for (const double mass : {1.0, 1e3, 1e6, 1e9, 1e12, 1e15}) {
