@@ -34,9 +34,28 @@ ContactMotion motion_at(const GripStatics::Cone& cone, const Eigen::VectorXd& mo
   return {cone.normal.dot(motion), slips};
 }
 
-std::vector<Index> listed_bodies(const std::set<Index>& bodies) {
-  return {bodies.begin(), bodies.end()};
-}
+/// The bodies by what their contacts do, and the points that slip.
+struct SortedContacts {
+  std::set<Index> slips, opens, stays;
+  std::vector<Index> slipping;
+
+  void slip(Index body, Index point) {
+    slips.insert(body);
+    slipping.push_back(point);
+  }
+
+  bool any_moves() const { return !slips.empty() || !opens.empty(); }
+
+  /// A body leaves where every point of it opens.
+  GiveWay gives() const {
+    GiveWay gives;
+    gives.slips = {slips.begin(), slips.end()};
+    gives.opens = {opens.begin(), opens.end()};
+    for (const Index b : opens)
+      if (stays.count(b) + slips.count(b) == 0) gives.leaves.push_back(b);
+    return gives;
+  }
+};
 
 /// Do the points that slip go one way, or around?
 void read_slips(const SceneFile& file, const std::vector<Index>& points,
@@ -78,8 +97,7 @@ GiveWay read_motion(const SceneFile& file, const GripStatics& statics,
     const ContactMotion there = motion_at(cone, motion);
     fastest = std::max({fastest, there.parts, there.slips});
   }
-  std::set<Index> slips, opens, stays;
-  std::vector<Index> slipping;
+  SortedContacts sorted;
   for (std::size_t c = 0; c < statics.cones().size(); ++c) {
     const GripStatics::Cone& cone = statics.cones()[c];
     const ContactMotion there = motion_at(cone, motion);
@@ -90,26 +108,19 @@ GiveWay read_motion(const SceneFile& file, const GripStatics& statics,
                             std::abs(lifts) <= statics_settings.slips * fastest;
     const bool presses =
         contacts.empty() || contacts[c].normal > statics_settings.slips || is_at_edge;
-    if (presses && there.slips > statics_settings.slips * fastest) {
-      slips.insert(b);
-      slipping.push_back(cone.point);
-    } else if (!presses && there.parts > statics_settings.slips * fastest) {
-      opens.insert(b);
-    } else {
-      stays.insert(b);
-    }
+    if (presses && there.slips > statics_settings.slips * fastest)
+      sorted.slip(b, cone.point);
+    else
+      (!presses && there.parts > statics_settings.slips * fastest ? sorted.opens : sorted.stays)
+          .insert(b);
   }
-  GiveWay gives;
-  gives.slips = listed_bodies(slips);
-  gives.opens = listed_bodies(opens);
-  for (const Index b : opens)
-    if (stays.count(b) + slips.count(b) == 0) gives.leaves.push_back(b);
+  GiveWay gives = sorted.gives();
   for (const Drive<double>& drive : file.drives) {
     const Index row = statics.moving() + drive.actuator;
-    if (slips.empty() && opens.empty() && row < statics.sum_row() && motion[row] < 0)
+    if (!sorted.any_moves() && row < statics.sum_row() && motion[row] < 0)
       gives.yields.push_back(drive.body);
   }
-  read_way(file, slipping, twist_of(statics, motion), statics.scales().length, gives);
+  read_way(file, sorted.slipping, twist_of(statics, motion), statics.scales().length, gives);
   return gives;
 }
 
@@ -123,8 +134,7 @@ std::optional<GiveWay> read_fall(const SceneFile& hand, const PushOptions& optio
     fastest = std::max(
         {fastest, answer.contacts[i].acceleration.norm(),
          acceleration_at(hand.points[static_cast<std::size_t>(i)], answer.acceleration).norm()});
-  std::set<Index> slips, opens, stays;
-  std::vector<Index> slipping;
+  SortedContacts sorted;
   for (Index i = 0; i < answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = answer.contacts[i];
     const Index b = hand.body_of(i); // even pressure gives each point a body of its own
@@ -132,23 +142,16 @@ std::optional<GiveWay> read_fall(const SceneFile& hand, const PushOptions& optio
     const double parts = contact.acceleration.dot(n),
                  slip = (contact.acceleration - parts * n).norm() +
                         hand.body(b).torsion_radius * std::abs(contact.spin);
-    if (contact.normal_force > 0 && slip > statics_settings.slips * fastest) {
-      slips.insert(b);
-      slipping.push_back(i);
-    } else {
-      (parts > statics_settings.slips * fastest ? opens : stays).insert(b);
-    }
+    if (contact.normal_force > 0 && slip > statics_settings.slips * fastest)
+      sorted.slip(b, i);
+    else
+      (parts > statics_settings.slips * fastest ? sorted.opens : sorted.stays).insert(b);
   }
-  GiveWay gives;
-  gives.slips = listed_bodies(slips);
-  gives.opens = listed_bodies(opens);
-  for (const Index b : opens)
-    if (stays.count(b) + slips.count(b) == 0) gives.leaves.push_back(b);
+  GiveWay gives = sorted.gives();
   for (Index b = 0; b < static_cast<Index>(hand.bodies.size()); ++b)
-    if (slips.empty() && opens.empty() && mean_closing(answer, hand.body(b)) < 0)
-      gives.yields.push_back(b);
-  if (slips.empty() && opens.empty() && gives.yields.empty()) return std::nullopt; // none presses
-  read_way(hand, slipping, answer.acceleration, rest.length, gives);
+    if (!sorted.any_moves() && mean_closing(answer, hand.body(b)) < 0) gives.yields.push_back(b);
+  if (!sorted.any_moves() && gives.yields.empty()) return std::nullopt; // none presses
+  read_way(hand, sorted.slipping, answer.acceleration, rest.length, gives);
   return gives;
 }
 
