@@ -2,6 +2,7 @@
 #include "lcpush/desktop/move.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/push_reports.hpp"
 #include "move/motion_phases.hpp"
 #include "move/motion_run.hpp"
 #include "move/move_words.hpp"
@@ -283,6 +284,14 @@ private:
   bool fail(Status status, bool is_lost) {
     report_.status = status;
     report_.reason = run_.stepper().run().reason;
+    // Where a theorem promises an answer, a ray is rounding's and no jam.
+    const auto exists = [&] {
+      return find_existence(file_, run_.stepper().assembly()).verdict == Existence::proved;
+    };
+    if (status == Status::ray && exists()) {
+      report_.status = Status::numerical_breakdown;
+      report_.reason = Reason::false_ray;
+    }
     report_.end = is_lost                          ? MoveEnd::lost
                   : report_.reason == Reason::leap ? MoveEnd::leaps
                                                    : MoveEnd::failed;

@@ -157,6 +157,12 @@ private:
     }
   }
 
+  bool is_on_round_side(const Vector3<S>& normal) const {
+    const ObjectShape& shape = scene_.shape;
+    if (shape.kind != ObjectShape::Kind::cylinder) return shape.kind == ObjectShape::Kind::ball;
+    return Eigen::numext::abs(normal[shape.axis]) < S(1) / S(2); // of a unit: not on its flat end
+  }
+
   void read_body(Role role, const TableReader& table) {
     if (scene_.bodies.size() == limits::scene_bodies)
       table.fail("", "more than " + std::to_string(limits::scene_bodies) +
@@ -178,6 +184,9 @@ private:
     body.role = role;
     body.normal = patch.normal;
     body.tangent = patch.tangent;
+    if (scene_.strokes.back().rides_on_object && is_on_round_side(body.normal))
+      table.fail("points_on", "a contact moves over a round side as the object rolls, and does not "
+                              "go with it; remove points_on");
     body.friction = table.number<S>("friction", Sign::not_negative);
     body.first_point = static_cast<Index>(scene_.points.size());
     body.point_count = static_cast<Index>(patch.positions.size());

@@ -117,13 +117,14 @@ private:
       memory_.q[layout_.closing_index(a)] = -memory_.sums[a].target;
     if (scene_->clearances.size > 0) drop_rounding();
   }
-  /// A step in time begins with velocities: where a body rolls, large ones cancel. What rounding
-  /// leaves of them is no slip, or the points that stick would contradict each other; all of the
-  /// body's, or those that are left would.
+  /// A step in time begins with velocities: where a body rolls, large ones cancel, at every contact
+  /// if it rolls between two. What rounding leaves of them is no slip, or the points that stick
+  /// would contradict each other; all of the body's, or those that are left would.
   void drop_rounding() {
     using Eigen::numext::maxi;
     S fastest(1);
-    for (const S& row : memory_.push) fastest = maxi(fastest, S(Eigen::numext::abs(row)));
+    for (const Body<S>& body : scene_->bodies)
+      fastest = maxi(fastest, S(laws::prescribed(body, layout_.scales).cwiseAbs().maxCoeff()));
     const S rounding = ModelSettings<S>::no_slip() * fastest;
     const auto largest_of = [&](const Body<S>& body, bool drops) {
       S largest(0);
@@ -235,6 +236,15 @@ private:
     }
     layout_.forces = force;
     layout_.size = variable;
+    if (scene.clearances.size > 0)
+      for (Index k = 0; k < force; ++k) drop_rounding(memory_.wrenches[k]);
+  }
+  /// Where a step has turned the object, what had no part along an axis has one of rounding. Taken
+  /// for one, points that stick beside each other would be nearly independent, and pivots go astray
+  /// among them.
+  static void drop_rounding(Vector6<S>& wrench) {
+    for (S& part : wrench)
+      if (Eigen::numext::abs(part) <= ModelSettings<S>::equal_distance()) part = S(0);
   }
 
   /// The first body after b that the actuator drives, or -1.

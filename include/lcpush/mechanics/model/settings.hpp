@@ -43,7 +43,7 @@ template <class S> struct ModelSettings {
 
   /// In units of F / m or of the fastest body: what rounding leaves of a slip where two velocities
   /// cancel. 5 were seen in one step; half of what the referee lets pass.
-  static S no_slip() { return rounding(32); }
+  static S no_slip() { return rounding(1024); }
 
   // The answer.
   static S counts() { return S(1000) * Tolerances<S>().tie; } ///< of F, or of the fastest motion
