@@ -26,8 +26,10 @@ public:
 
 private:
   const RawProblem& problem_;
-  std::vector<double> unit_, size_, caught_, scale_, share_;
+  std::vector<double> unit_, row_unit_, size_, caught_, scale_, share_;
+  double given_ = 0; ///< the largest of q, and of what finite ends bring, in row units
 
+  void measure_given();
   void measure_unknowns(const std::vector<double>& z);
   void measure_rows(const std::vector<double>& z, std::vector<double>& w);
 };

@@ -23,7 +23,8 @@ std::string reason_of(const RawAnswer& answer) {
   if (answer.search.starts > 0)
     reason += ", and from " + std::to_string(answer.search.starts) + " other starts";
   if (answer.search.whole)
-    reason += "; none of its complementary cones holds q: there is no solution";
+    reason += "; in rounded numbers none of its complementary cones holds q; lcp --all asks in "
+              "fractions";
   return reason;
 }
 

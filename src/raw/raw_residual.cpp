@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "raw/raw_parts.hpp"
 #include "raw/settings.hpp"
@@ -73,8 +74,28 @@ BoxEnds ends_of(const RawProblem& problem, Index i, const std::vector<double>& z
   return {-end, end};
 }
 
-Referee::Referee(const RawProblem& problem)
-    : problem_(problem), unit_(balanced_scales(problem.M).column) {}
+Referee::Referee(const RawProblem& problem) : problem_(problem) {
+  Scales scales = balanced_scales(problem.M);
+  unit_ = std::move(scales.column);
+  row_unit_ = std::move(scales.row);
+  measure_given();
+}
+
+/// Terms that cancel each other, of unknowns however large, answer no question: q is the question,
+/// and of an unknown the end that is nearer to 0.
+void Referee::measure_given() {
+  for (Index i = 0; i < problem_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    double given = std::abs(problem_.q[at]);
+    for (const SparseEntry& entry : problem_.M.row(i)) {
+      const auto j = static_cast<std::size_t>(entry.column);
+      if (!problem_.bounds.given() || problem_.bounds.leader(entry.column) >= 0) continue;
+      const double end = std::min(std::abs(problem_.bounds.lo[j]), std::abs(problem_.bounds.hi[j]));
+      if (std::isfinite(end)) given += std::abs(entry.value) * end;
+    }
+    given_ = std::max(given_, given * row_unit_[at]);
+  }
+}
 
 /// How large z_j may be for rounding in it to be excused: its own size and what it may have caught
 /// of the unknowns that share a row with it. What of these a row brings, it brings through its
@@ -123,7 +144,8 @@ void Referee::measure_rows(const std::vector<double>& z, std::vector<double>& w)
       if (entry.column == i) diagonal += std::abs(entry.value);
     }
     w[at] = sum + problem_.q[at];
-    scale_[at] = scale;
+    const double most = raw_settings.terms_over_given * given_ / row_unit_[at];
+    scale_[at] = most > 0 ? std::min(scale, most) : scale;
     caught_[at] = diagonal;
   }
   for (Index i = 0; i < n; ++i) {

@@ -41,6 +41,10 @@ struct RawSettings {
   /// halves the logarithm of what is off.
   double balanced = 0.05;
   int balancing_passes = 30;
+  /// A row's terms may be so much larger than what is given, q and ends of boxes: then a residual
+  /// is a thousandth of that. Matrices singular to rounding have answers of 1e19 in which q is
+  /// lost.
+  double terms_over_given = 1e6;
   /// An unknown is told to be at an end of its box within this part of itself.
   double at_end = 1e-9;
 };
