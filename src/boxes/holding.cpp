@@ -4,6 +4,7 @@
 #include "boxes/settings.hpp"
 #include "hold/pad_statics.hpp"
 #include "lcpush/desktop/hold.hpp"
+#include "solve/self_stress.hpp"
 #include "solve/sentence.hpp"
 
 #include <algorithm>
@@ -45,6 +46,10 @@ private:
           !side.is_one_of(sizes))
         obstacle_ = "what is held is not known to be convex in " + side.parameters[0].path;
     }
+    const SceneFile roughest = hand_at_rest(box_.scene_at(box_.corner(box_.corners() - 1)));
+    if (!roughest.bodies.empty() && roughest.pressure == Pressure::pad &&
+        has_self_stress(GripStatics(roughest)))
+      obstacle_ = "its contacts may squeeze it against each other, and nothing says how hard";
     if (file_.hand == Hand::locked)
       obstacle_ = "locked jaws press with what the load makes of their grip, which is not convex";
   }

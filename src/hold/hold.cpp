@@ -9,6 +9,7 @@
 #include "hold/pad_statics.hpp"
 #include "hold/settings.hpp"
 #include "solve/grip_statics.hpp"
+#include "solve/self_stress.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -54,6 +55,12 @@ public:
     rays_ = program.rays();
   }
 
+  /// Are its bounds apart?
+  static bool is_open(const StaticsProgram::Optimum& most) {
+    return most.ending == Ending::found &&
+           most.value - most.bound > hold_settings.told * std::abs(most.value);
+  }
+
   static StaticsProgram::Optimum most_of(StaticsProgram& program) {
     if (program.find_point() != Ending::found) return {};
     return program.minimise(-Eigen::VectorXd::Ones(1));
@@ -75,7 +82,7 @@ public:
     StaticsProgram::Optimum most;
     // The rays that hold the load may be a corner of many, at which a program goes astray.
     for (const std::vector<ForceRay>& known : {rays_, std::vector<ForceRay>()})
-      if (most.ending == Ending::failed)
+      if (most.ending == Ending::failed || is_open(most))
         most = most_of(program.emplace(statics_, column, 1, statics_.load(1), known));
     if (most.ending == Ending::failed) return found;
     const double si = statics_.scales().force / unit;
@@ -135,7 +142,7 @@ public:
   /// By how much gravity may turn, in any direction.
   double tilt() {
     const double weight = hand_.object.mass * hand_.gravity.norm() / statics_.scales().force;
-    if (!(weight > 0)) return unknown_number;
+    if (!(weight > 0) || is_squeezed_) return unknown_number;
     const Vector3<double> down = hand_.gravity.normalized();
     const auto near = nearest(
         statics_, Disturbance::force, Vector3<double>::Zero(),
@@ -150,7 +157,10 @@ public:
 
   /// By the scene's law: which grips hold, and does the scene's own?
   void find_law() {
-    study_.is_statics = !statics_.has_pads();
+    // Locked jaws are closed with a force that is given, and other laws leave forces to statics.
+    is_squeezed_ =
+        hand_.hand != Hand::locked && hand_.pressure == Pressure::pad && has_self_stress(statics_);
+    study_.is_statics = !statics_.has_pads() && !is_squeezed_;
     study_.factor = study_.statics_factor;
     study_.most = study_.statics_most;
     const double slack = statics_settings.carries;
@@ -163,13 +173,13 @@ public:
         study_.other = rest;
     }
     if (study_.is_statics || !(study_.factor < no_limit)) return;
-    law_.emplace(hand_, options_);
+    law_.emplace(hand_, options_, statics_, is_squeezed_);
     pads_.emplace(law_->surfaces(), std::vector<bool>(law_->surfaces().points.size(), true));
     study_.held = law_->holds_now();
     if (!study_.held) study_.reason = "the law of pads has no answer at rest that was found";
     if (study_.grip.force == 0) return;
     study_.factor = law_->least_grip(study_.statics_factor);
-    study_.most = law_->most_grip();
+    study_.most = law_->most_grip(study_.statics_most);
   }
 
   /// What a load beyond a limit that is told does, and one that is not held.
@@ -209,6 +219,7 @@ private:
   std::optional<HoldingLaw> law_;  ///< where it is another than statics
   std::optional<PadStatics> pads_; ///< then of its surfaces, all of which touch
   std::vector<ForceRay> rays_;     ///< with which the load is held
+  bool is_squeezed_ = false;       ///< statics holds what it likes: the law alone decides
 
   static double distance(const Vector3<double>&, double height) { return height; }
   static double pi() { return std::acos(-1.0); }

@@ -10,13 +10,15 @@
 
 namespace lcpush::desktop {
 
-HoldingLaw::HoldingLaw(const SceneFile& hand, const PushOptions& options)
-    : hand_(hand), work_(options), touching_(hand.points.size(), true),
+HoldingLaw::HoldingLaw(const SceneFile& hand, const PushOptions& options,
+                       const GripStatics& statics, bool is_squeezed)
+    : hand_(hand), statics_(statics), work_(options), touching_(hand.points.size(), true),
       holds_now_(holds(1, Vector6<double>::Zero())), pads_(hand, touching_),
-      pads_least_(pads_.grip(true)), is_open_(hand.hand != Hand::parallel) {
+      pads_least_(pads_.grip(true)), is_open_(is_squeezed || hand.hand != Hand::parallel) {
   for (Index b = 0; b < static_cast<Index>(hand.bodies.size()); ++b)
     is_open_ = is_open_ || !is_driven(hand.view(), b);
-  if (!holds_now_ && pads_least_ <= 1) holds_now_ = true;
+  knows_prestress_ = !is_open_ || hand.hand == Hand::locked;
+  if (!holds_now_ && pads_least_ <= 1 && !is_squeezed) holds_now_ = true;
 }
 
 PushOptions HoldingLaw::options() const {
@@ -41,7 +43,7 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
 }
 
 double HoldingLaw::least_grip(double bound) {
-  const bool is_proved = !std::isnan(pads_least_);
+  const bool is_proved = !std::isnan(pads_least_) && knows_prestress_;
   const double least = is_proved ? std::max(bound, pads_least_) : bound;
   if (holds_now_ == true && least > 1) return 1;
   const auto is_held = [&](double factor, bool unknown) {
@@ -56,9 +58,20 @@ double HoldingLaw::least_grip(double bound) {
   return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
 }
 
+/// Where surfaces' forces may be a prestress, only what the law holds.
+double HoldingLaw::most_grip(double bound) {
+  const double pads = pads_.grip(false);
+  if (knows_prestress_ || holds_now_ != true) return pads;
+  const double most = std::isfinite(pads) ? std::min(pads, bound) : bound;
+  const auto is_held = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
+  const double far = std::min(most, statics_settings.most_force);
+  if (is_held(far) == true) return most;
+  return far > 1 ? halved(far, 1, is_held) : 1;
+}
+
 double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {
   const double pads = pads_.limit(wrench, !asks);
-  if (std::isinf(pads) && std::isinf(bound)) return bound;
+  if (std::isinf(pads) && std::isinf(bound) && !is_open_) return bound;
   const bool is_proved = std::isfinite(pads) && !is_open_; // surfaces know no prestress
   const double limit = is_proved ? std::min(pads, bound) : bound;
   if (!asks || !(limit > 0)) return limit;
@@ -78,7 +91,10 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
     const double found = halved(bound, near > more && is_held(near) == true ? near : more, is_held);
     return is_open_ ? not_less(found, is_held) : found;
   }
-  const double far = std::isfinite(limit) ? limit : statics_settings.most_force / wrench.norm();
+  const double cap =
+      statics_settings.most_force * statics_.scales().force / statics_.wrench_column(wrench).norm();
+  const double far = std::isfinite(limit) ? limit : cap;
+  if (far >= cap && is_held(far) == true) return std::numeric_limits<double>::infinity();
   const double found = searched(far, -1, is_held);
   const double least = not_less(found, is_held);
   return least == found && found >= most ? limit : least;

@@ -8,12 +8,15 @@
 
 #include "hold/pad_limits.hpp"
 #include "solve/grip_search.hpp"
+#include "solve/grip_statics.hpp"
 
 namespace lcpush::desktop {
 
 class HoldingLaw {
 public:
-  HoldingLaw(const SceneFile& hand, const PushOptions& options);
+  /// Of the hand's statics, which outlive this; `is_squeezed`: they have a self-stress.
+  HoldingLaw(const SceneFile& hand, const PushOptions& options, const GripStatics& statics,
+             bool is_squeezed);
   HoldingLaw(const HoldingLaw&) = delete; // its options point at its watcher
   HoldingLaw& operator=(const HoldingLaw&) = delete;
 
@@ -27,14 +30,15 @@ public:
   const SceneFile& surfaces() const { return pads_.surfaces(); }
   /// The least factor on the grip; `bound`: of statics, from below; nan: not known.
   double least_grip(double bound);
-  /// nan: no more than the least grip is known.
-  double most_grip() const { return pads_.grip(false); }
+  /// `bound`: of statics, from above; nan: no more than the least grip is known.
+  double most_grip(double bound);
   /// The largest factor on a wrench; `bound`: of statics, from above; `asks`: or what pads can
   /// hold.
   double limit(const Vector6<double>& wrench, double bound, bool asks = true);
 
 private:
   const SceneFile& hand_;
+  const GripStatics& statics_;
   CountingWatcher work_;
   bool is_first_ = true; // before what asks
   bool may_bear_more_ = false;
@@ -43,6 +47,7 @@ private:
   PadLimits pads_;
   double pads_least_;
   bool is_open_; // what does not close by itself may hold by a prestress, more than less of a load
+  bool knows_prestress_; // of locked jaws it is given: which grip holds is their pads' to say
 
   PushOptions options() const;
 

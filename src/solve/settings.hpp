@@ -47,6 +47,9 @@ struct SolveSettings {
   /// Two answers are one where motions and forces differ by no more than this, relative: pads
   /// settle to 1.5e-11, and the worst conditioned of 10,000 random grasps lose five digits.
   double same = 1e-5;
+  /// Parts of what sticks' friction, with which another answer is looked for: without any, as who
+  /// counts by hand, or with half.
+  double less_friction[2] = {0, 0.5};
   /// A derivative follows pads and turning friction in so many passes at most, until one changes it
   /// by no more than this part: each leaves a pad's last compliance of it, mostly 1e-4.
   Index most_passes = 60;
@@ -70,10 +73,11 @@ struct StaticsSettings {
   Index most_rounds = 60; ///< in which rays are added; the angle's error is squared in each
   /// From so many rays on, and so many a cone, those without force are dropped.
   Index most_rays = 48, rays_a_cone = 6;
-  double carries = 1e-9; ///< of the load's part that no force balances: forces are found
-  double flat = 1e-8;    ///< of its size: a set thinner than that has no inside
-  double slips = 1e-6;   ///< of the fastest point of a motion: it moves
-  double line = 1e-3;    ///< of its length: a patch is no wider, and its pressure varies along it
+  double carries = 1e-9;  ///< of the load's part that no force balances: forces are found
+  double flat = 1e-8;     ///< of its size: a set thinner than that has no inside
+  double slips = 1e-6;    ///< of the fastest point of a motion: it moves
+  Index stress_rays = 24; ///< of a round cone, to ask for forces that balance without load
+  double line = 1e-3;     ///< of its length: a patch is no wider, and its pressure varies along it
 };
 
 constexpr StaticsSettings statics_settings;

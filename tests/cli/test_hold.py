@@ -251,12 +251,50 @@ class ClosedForms(unittest.TestCase):
             ("force", (1, 0, 0), side), ("force", (0, -1, 0), side), ("force", (0, 0, 1), 10 + WEIGHT),
             ("force", (0, 0, -1), math.inf)])
 
+    def test_what_stands_on_a_table_needs_no_grip(self):
+        """Between a stop and a palm whose force statics could bear by squeezing; and pushed over the edge of friction."""
+        text = 'facets = 8\n' + scene(
+            legs(0.57, center=(0, 0, -0.02), size=(0.04, 0.04)),
+            finger("stop", [-0.02, 0, 0], [1, 0, 0], 0.4, shape="rectangle", size=[0.03, 0.015], tangent=[0, 1, 0]),
+            finger("palm", [0.02, 0, -0.005], [-1, 0, 0], 0.53, shape="rectangle", size=[0.005, 0.009], tangent=[0, 1, 0],
+                   grip_force=0.32))
+        for grip in (0.2, 0.25, 0.32):
+            self.assertEqual(hold(text.replace("0.32", str(grip)))["least_grip"]["factor"], 0)
+        aside = scene(legs(0.5, center=(0, 0, -0.02), size=(0.04, 0.04)),
+                      finger("palm", [0.02, 0, -0.005], [-1, 0, 0], 0.35, shape="disc", radius=0.004, grip_force=0.4))
+        least = hold(aside)["least_grip"]
+        most = 0.5 * WEIGHT / (1 + 0.5 * 0.35)  # of the palm that lifts it with its own friction, as the law has it
+        self.assertAlmostEqual(least["most_factor"] * 0.4, most, delta=0.01 * most)
+
     def test_v_jaws(self):
         """Pressed with F into each V, its faces bear F / sqrt(2) and what friction across them wedges."""
         mu, force = 0.4, 30
         self.judge(scene(v_jaws(mu, force), gravity=(0, 0, -9.81), top='pressure = "rigid"'),
                    WEIGHT / (4 * mu * force / math.sqrt(2) / math.sqrt(1 - mu ** 2)), [
                        ("force", (0, 0, 1), 4 * mu * force / math.sqrt(2) / math.sqrt(1 - mu ** 2) + WEIGHT)])
+
+    def test_wedges_hold_by_what_presses_and_not_by_squeezing_themselves(self):
+        """A V on one actuator against a flat jaw, and a V-block, steep enough to wedge: statics would hold any load."""
+        faces = [finger(name, None, n, 0.8, ends=[[x, y, -0.005], [x, y, 0.005]]).replace("point", "line")
+                 for name, x, y, n in (("va", -0.00756, 0.01008, [0.6, -0.8, 0]), ("vb", -0.00756, -0.01008, [0.6, 0.8, 0]),
+                                       ("flat", 0.0126, 0, [-1, 0, 0]))]
+        bar = 'gravity = [0, 0, -9.81]\n[object]\nmass = 0.02\ncylinder_radius = 0.0126\ncylinder_length = 0.019\n'
+        vice = bar + "".join(faces) + ('[[actuator]]\nname = "drive"\nbodies = ["va", "vb"]\n'
+                                       "twists = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0]]\nforce = 0.5\n")
+        bears = 0.8 * (1 / 0.6 + 1) * 0.5  # by friction along the bar
+        weight = 0.02 * 9.81
+        self.judge(vice, weight / bears, [("force", (0, 0, -1), bears - weight), ("force", (0, 0, 1), bears + weight)],
+                   precision=5e-3)
+        block = bar.replace("[0, 0, -9.81]", "[0, -9.81, 0]").replace("0.019", "0.2") + "".join(
+            finger(name, None, [0.8 * x, 0.6, 0], 0.9, ends=[[-0.01008 * x, -0.00756, z] for z in (-0.08, 0.08)])
+            .replace("point", "line") for name, x in (("va", -1), ("vb", 1)))
+        along = 2 * 0.9 * weight / (2 * 0.6)
+        answer = self.judge(block, 0, [("force", (0, 1, 0), weight), ("force", (0, 0, 1), along),
+                                       ("force", (0, 0, -1), along), ("force", (0, -1, 0), math.inf)], precision=5e-3)
+        self.assertEqual(answer["tilt"], None)
+        for text, what in ((vice, "drive.force=0.2:0.5"), (block, "object.mass=0.015:0.02")):
+            box = json.loads(run("-", "--tolerance", what, "--json", text=text).stdout)
+            self.assertEqual((box["verdict"], box["margin"]), ("not_known", None))
 
     def test_three_fingers(self):
         self.judge(scene(three_fingers(10)), WEIGHT / (3 * 0.5 * 10), [("force", (0, 0, -1), 15 - WEIGHT),
