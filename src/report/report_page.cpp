@@ -80,6 +80,9 @@ std::string lead(const PageContent& content) {
     text += failure_box(paragraph(does_not_hold_text(content.file, *breaking)));
   else if (breaking != nullptr && breaking->status == Status::solved)
     text += paragraph(break_sentence(content.file, *breaking), "lead");
+  if (content.push.status == Status::solved)
+    if (const std::string others = others_sentences(content.file, content.push); !others.empty())
+      text += paragraph(others + "lcpush spread says between which bounds.");
   if (!content.box.empty()) text += paragraph(content.box, "lead");
   for (const SceneDoubt& doubt : check_scene(content.file))
     text += "<p class=\"check\"><strong>Check</strong> " + escaped(doubt_text(doubt)) + ".</p>\n";

@@ -2,6 +2,7 @@
 
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/grip_statics.hpp"
+#include "solve/less_friction.hpp"
 #include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/push_words.hpp"
@@ -205,6 +206,22 @@ std::vector<NamedValue> Push::closings(double unit) const {
   return list;
 }
 
+/// Of the present answer's scene, with less friction where it sticks.
+std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& options) const {
+  for (const double part : SolveSettings().less_friction) {
+    const auto less = with_less_friction(file_, work_.answer, part);
+    if (!less) break;
+    Push push(less->file);
+    push.assembled_.assemble(file_.is_round && has_round_friction(scene_));
+    PressureRun ignored;
+    if (push.run(options, 1.0, ignored) != Status::solved || !less->sticks(push.work_.answer))
+      continue;
+    const Residuals<double> left = check(scene_, layout().scales, push.work_.answer, 1.0);
+    if (left.max() <= Tolerances<double>().residual) return push.outcome();
+  }
+  return std::nullopt;
+}
+
 void Push::search_others(const PushOptions& options, PushReport& report) {
   const double tolerance = SolveSettings().same;
   const Index open = undetermined_body(scene_);
@@ -215,17 +232,24 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   const Outcome<double> first = outcome();
   if (!has_round_friction(scene_)) report.final_basis = study_final_basis(assembly_, work_.answer);
   const bool affordable = layout().size <= limits::unknowns_searched;
-  for (Index k = 1; affordable && k <= options.other_covers; ++k) {
-    PressureRun ignored;
-    if (run(by_other_cover(options, k, layout().size), 1.0, ignored) != Status::solved) continue;
-    ++report.covers_compared;
-    const Outcome<double> second = outcome();
+  const auto compare = [&](const Outcome<double>& second) {
     const bool moves_alike =
         same_motion(first, second, report.scales, push_size(scene_), tolerance);
     const bool pushes_alike = same_wrench(first, second, report.scales, tolerance);
     if (!report.other && !(moves_alike && pushes_alike)) report.other = second;
     same_a = same_a && moves_alike;
     same_f = same_f && pushes_alike;
+  };
+  if (!proved && affordable && options.other_covers > 0)
+    if (const auto other = answer_by_less_friction(options)) {
+      compare(*other);
+      report.is_friction_open = report.other.has_value();
+    }
+  for (Index k = 1; affordable && k <= options.other_covers; ++k) {
+    PressureRun ignored;
+    if (run(by_other_cover(options, k, layout().size), 1.0, ignored) != Status::solved) continue;
+    ++report.covers_compared;
+    compare(outcome());
   }
   // A proof, an answer next to this one, or other covers' answers.
   const bool searched = report.covers_compared > 0 || report.final_basis.studied;
@@ -267,7 +291,8 @@ Status Push::with_friction(RunReport& report, const std::function<Status()>& run
   report.run = {};
   assembled_.assemble(false);
   const Status instead = run_once();
-  if (instead == Status::solved || instead == Status::does_not_hold) {
+  const bool is_jam = instead == Status::ray;
+  if (instead == Status::solved || instead == Status::does_not_hold || is_jam) {
     report.friction = FrictionLaw::pyramids_instead;
     return instead;
   }

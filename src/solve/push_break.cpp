@@ -1,5 +1,6 @@
 // Push: the grasp without a push, and the push that breaks it.
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/less_friction.hpp"
 #include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/rest_by_friction.hpp"
@@ -159,12 +160,26 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   return report;
 }
 
-/// The same under other covers: is this the only force that breaks the grasp? What comes of it has
-/// passed the same referee.
+/// The same with less friction where it sticks, and under other covers: is this the only force that
+/// breaks the grasp? What comes of it has passed the same referee.
 void Push::compare_others(const PushOptions& options, BreakReport& report) {
   if (layout().size > limits::unknowns_searched) return;
   Breaking<double> second;
   PressureRun ignored;
+  for (const double part : SolveSettings().less_friction) {
+    if (options.other_covers == 0 || undetermined_body(scene_) < 0) break;
+    const auto less = with_less_friction(file_, work_.answer, part);
+    if (!less) break;
+    Push push(less->file);
+    push.assembled_.assemble(has_round_friction(scene_));
+    if (!is_over(push.break_grasp(options, report.pusher, second, ignored)) ||
+        !less->sticks(push.work_.answer) ||
+        falls_before_push(less->file, second, report.scales, options))
+      continue;
+    add_other(second, report);
+    report.is_friction_open = report.unique_force == Uniqueness::no;
+    break;
+  }
   for (Index k = 1; k <= options.other_covers; ++k) {
     const PushOptions other = by_other_cover(options, k, layout().size);
     if (is_over(break_grasp(other, report.pusher, second, ignored)) &&

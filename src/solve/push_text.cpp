@@ -26,7 +26,7 @@ std::string list_text(const std::string& head, const std::vector<std::string>& s
 }
 
 /// Two forces that the laws allow, in as many digits as tell them apart, and which law each obeys.
-std::string both_answers(const SceneFile& file, double found, double other) {
+std::string both_answers(const SceneFile& file, double found, double other, bool is_friction_open) {
   std::string mine, its;
   for (int digits = 3; digits <= 6 && mine == its; ++digits) {
     mine = in_digits(found, digits);
@@ -34,6 +34,9 @@ std::string both_answers(const SceneFile& file, double found, double other) {
   }
   const std::string both =
       "for instance " + (found < other ? mine + " or " + its : its + " or " + mine) + " N. ";
+  if (is_friction_open)
+    return both + "The laws leave open how much friction there is where contacts stick; " + its +
+           " N has less of it.";
   switch (file.pressure) {
   case Pressure::pad:
     return both + mine + " N is the pad law's answer from an even preload; " + its +
@@ -76,27 +79,6 @@ double total_push(const SceneFile& file, const PushReport& report) {
   return push;
 }
 
-/// What else the laws allow, and where to look: a paragraph, or nothing.
-std::string others_text(const SceneFile& file, const PushReport& report) {
-  const bool motion = report.unique_motion == Uniqueness::no;
-  std::string text = mirror_sentence(file, report);
-  if (motion || report.unique_wrench == Uniqueness::no) {
-    const std::string what = motion ? "motion" : "push";
-    const double push = total_push(file, report);
-    const double other = report.other ? report.other->wrench.head<3>().norm() : push;
-    text += "The " + what + " is not unique: ";
-    const bool may_rest = motion && report.other && report.other->acceleration.isZero(0);
-    if (may_rest)
-      text += "bodies that stand still may also squeeze it, and hold it.\n";
-    else if (std::abs(other - push) > word_settings.other_force * report.scales.force)
-      text += both_answers(file, push, other) + "\n";
-    else
-      text += motion ? "the paper's laws leave it open.\n"
-                     : "any share of it that obeys the laws, and any place, holds; one is shown.\n";
-  }
-  return text.empty() ? "" : "\n" + text + "See: lcpush spread " + file.lines.file + "\n";
-}
-
 /// The ray's entries, in the solver's units; nothing without one.
 std::string ray_text(const RunReport& report) {
   std::string text = report.ray.empty() ? "" : "\nThe ray, largest entry 1:\n";
@@ -116,7 +98,33 @@ std::string velocity_text(const SceneFile& file, const PushReport& report) {
          "speed ask lcpush move.\n";
 }
 
+/// The same, and where to look: a paragraph, or nothing.
+std::string others_text(const SceneFile& file, const PushReport& report) {
+  const std::string text = others_sentences(file, report);
+  return text.empty() ? "" : "\n" + text + "See: lcpush spread " + file.lines.file + "\n";
+}
+
 } // namespace
+
+std::string others_sentences(const SceneFile& file, const PushReport& report) {
+  const bool motion = report.unique_motion == Uniqueness::no;
+  std::string text = mirror_sentence(file, report);
+  if (motion || report.unique_wrench == Uniqueness::no) {
+    const std::string what = motion ? "motion" : "push";
+    const double push = total_push(file, report);
+    const double other = report.other ? report.other->wrench.head<3>().norm() : push;
+    text += "The " + what + " is not unique: ";
+    const bool may_rest = motion && report.other && report.other->acceleration.isZero(0);
+    if (may_rest)
+      text += "bodies that stand still may also squeeze it, and hold it.\n";
+    else if (std::abs(other - push) > word_settings.other_force * report.scales.force)
+      text += both_answers(file, push, other, report.is_friction_open) + "\n";
+    else
+      text += motion ? "the paper's laws leave it open.\n"
+                     : "any share of it that obeys the laws, and any place, holds; one is shown.\n";
+  }
+  return text;
+}
 
 std::string title_line(const SceneFile& file) {
   return file.title.empty() ? "" : file.title + "\n\n";
@@ -167,7 +175,8 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
   if (report.other_force)
     text += "\nThe " + std::string(report.breaking.breaks ? "breaking" : "normal") +
             " force is not unique: " +
-            both_answers(file, report.breaking.break_force, *report.other_force) +
+            both_answers(file, report.breaking.break_force, *report.other_force,
+                         report.is_friction_open) +
             "\nSee: lcpush spread --break " + file.lines.file + "\n";
   return is_full ? text + residual_line(report.breaking.residuals) + run_line(file, report) : text;
 }

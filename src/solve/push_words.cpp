@@ -211,7 +211,9 @@ std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) 
 std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& report) {
   const Breaking<double>& b = report.breaking;
   if (!b.breaks) return {};
-  std::vector<Fact> facts{{"Whole force", force_phrase(file, b.force.head<3>())}};
+  std::vector<Fact> facts;
+  if (b.force.head<3>().norm() > report.brief_noise.force)
+    facts.push_back({"Whole force", force_phrase(file, b.force.head<3>())});
   add_closings(report, facts);
   if (b.inertia_normal > least_inertia(file))
     facts.push_back(

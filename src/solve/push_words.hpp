@@ -52,6 +52,8 @@ TableRows contact_rows(const SceneFile& file, const PushReport& report,
 /// Soft points twist: their torque, and how fast they spin.
 std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report,
                                            Telling telling);
+/// What else the laws allow: lines of sentences, or nothing.
+std::string others_sentences(const SceneFile& file, const PushReport& report);
 /// Bodies whose actuators move them.
 std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report,
                                            Telling telling);

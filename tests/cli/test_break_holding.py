@@ -1,5 +1,6 @@
 """lcpush break says from which grip force on the grasp holds, without and with the pusher."""
 import json
+import pathlib
 import re
 
 from tool import SCENES, ToolTest, json_of, main, run, unwrapped
@@ -32,6 +33,34 @@ LOCKED_TWISTED = (
         friction=0.9, grip_force=12.805678494638258) +
     pusher("pin", "point", normal=[0, 0, 1], friction=0.5, acceleration=[0.3, 0.006, 0.7], center=[0.04, 0.03, -0.03])
 )
+
+
+class OpenFriction(ToolTest):
+    def test_a_part_on_a_table_pushed_by_a_rough_finger_is_told_to_be_open(self):
+        """The finger may lift or press it down by up to mu' of its force: P = mu (W - f), -mu' P <= f <= mu' P."""
+        mu, rough, weight = 0.3, 0.5, 0.18 * 9.81
+        text = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=0.18, box=[0.147, 0.072, 0.008])
+                + finger("table", "rectangle", on="-z", size=[0.12, 0.06], friction=mu)
+                + pusher("wall", "point", on="-x", friction=rough, velocity=[1e-6, 0, 0]))
+        scene_file = self.file("part.toml", text)
+        answer = json_of("break", scene_file)
+        force = answer["break_force"]
+        low, high = mu * weight / (1 + mu * rough), mu * weight / (1 - mu * rough)
+        self.assertTrue(low - 1e-6 < force < high + 1e-6)
+        self.assertFalse(answer["unique"]["force"])
+        plain = mu * weight  # without the finger's friction, as who counts by hand
+        for words in (("solve",), ("break",)):
+            told = unwrapped(run(*words, scene_file).stdout)
+            self.assertRegex(told, "is not unique: for instance .* or .* N. The laws leave open how much friction")
+            self.assertIn(f"{plain:.3g}", told)
+        page = self.file("page.html", "")
+        run("report", scene_file, "-o", page)
+        self.assertIn("is not unique", pathlib.Path(page).read_text(encoding="utf-8"))
+        for given, is_right in ((plain, True), ((force + plain) / 2, True), (0.9 * low, False), (1.1 * high, False)):
+            verdict = run("verify", scene_file, self.file("force.json", json.dumps({"break_force": given})))
+            self.assertEqual(verdict.returncode, 0 if is_right else 1, (given, verdict.stdout))
+        smooth = self.file("smooth.toml", text.replace("friction = 0.5", "friction = 0"))
+        self.assertNotIn("not unique", run("solve", smooth).stdout)
 
 
 class Holding(ToolTest):

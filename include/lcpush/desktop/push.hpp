@@ -117,6 +117,7 @@ private:
   void read_ray(const PushOptions& options, RunReport& report) const;
   void compare_others(const PushOptions& options, BreakReport& report);
   void search_others(const PushOptions& options, PushReport& report);
+  std::optional<Outcome<double>> answer_by_less_friction(const PushOptions& options) const;
   void look_for_rest(PushReport& report) const;
 };
 

@@ -62,6 +62,7 @@ struct RunReport {
   bool hand_moves =
       false; ///< a body that an actuator drives, by more than a thousandth of the push
   Uniqueness unique_motion = Uniqueness::not_tested;
+  bool is_friction_open = false;    ///< the other answer has less friction at what sticks
   std::vector<SweepRecord> history; ///< of a break: of its pushes, one after the other
   std::vector<NamedValue> ray;      ///< entries that are not zero, largest 1
   Jam jam;                          ///< the ray, read
