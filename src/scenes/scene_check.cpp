@@ -60,6 +60,7 @@ public:
     check_jaws();
     check_opposed();
     check_table();
+    check_load();
     if (file_.planar) check_plane();
     if (file_.planar) check_across();
     if (doubts_.empty()) check_sides();
@@ -297,6 +298,29 @@ private:
               "parallel jaw has the same grip_force on opposite faces");
   }
 
+  bool is_flat_below(const Vector3<double>& up) const {
+    if (file_.shape.kind == ObjectShape::Kind::cylinder)
+      return std::abs(up[file_.shape.axis]) > 1 - typed_slack;
+    return file_.shape.kind != ObjectShape::Kind::ball;
+  }
+
+  /// Friction needs something that presses.
+  void check_load() {
+    const bool has_finger =
+        std::any_of(file_.bodies.begin(), file_.bodies.end(), [](const Body<double>& body) {
+          return body.role == Role::finger && body.friction > 0;
+        });
+    const bool is_pressed =
+        !file_.drives.empty() || std::any_of(file_.bodies.begin(), file_.bodies.end(),
+                                             [](const Body<double>& b) { return b.preload > 0; });
+    if (!has_finger || is_pressed || file_.faces.size() > 0 ||
+        !(file_.gravity.isZero(0) && file_.object.wrench.isZero(0)))
+      return;
+    doubt(Doubt::no_load, file_.lines.object,
+          "there is no gravity, force or grip_force, so nothing presses the object against what it "
+          "touches; for its weight write gravity = [0, 0, -9.81]");
+  }
+
   /// All that the object lies on, and a push along it: beyond its edge nothing bears the object.
   void check_table() {
     if (file_.patches.empty() || !file_.drives.empty() || file_.body(0).role != Role::finger ||
@@ -305,7 +329,7 @@ private:
     const Vector3<double>& up = file_.body(0).normal;
     const PatchShape shape = file_.patches[0];
     const bool is_table = (shape == PatchShape::disc || shape == PatchShape::rectangle) &&
-                          !file_.strokes[0].rides_on_object &&
+                          !file_.strokes[0].rides_on_object && is_flat_below(up) &&
                           up.dot(file_.gravity) < -(1 - typed_slack) * file_.gravity.norm();
     const bool is_pushed =
         std::any_of(file_.bodies.begin() + 1, file_.bodies.end(), [&](const Body<double>& body) {
@@ -373,7 +397,7 @@ const char* doubt_code(Doubt doubt) {
       "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
       "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
       "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "overhang",
-      "left_out",         "middle",          "unopposed",      "small_table"};
+      "left_out",         "middle",          "unopposed",      "small_table",   "no_load"};
   return codes[static_cast<int>(doubt)];
 }
 

@@ -223,6 +223,7 @@ TEST_CASE("a finger that nothing meets, and a table that ends where the object d
   CHECK(codes(table + push) == Codes{"small_table"});
   CHECK(codes(with(table, "size = ", "points_on = \"object\"\nsize = ") + push) == Codes{});
   CHECK(codes(table) == Codes{});
+  CHECK(codes(with(table, "gravity = ", "# gravity = ") + push) == Codes{"no_load"});
 }
 
 TEST_CASE("fingers that yield to the push are named, and only those") {

@@ -29,6 +29,7 @@ enum class Doubt {
   middle,           ///< nothing odd: numbers have ranges, and the scene is the middle of them
   unopposed,        ///< a single finger presses, and nothing meets it
   small_table,      ///< where a push goes along it, the object slides off it
+  no_load,          ///< nothing presses: without gravity, forces and grip there is no friction
 };
 
 /// As JSON spells it.
