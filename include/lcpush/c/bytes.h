@@ -39,7 +39,7 @@
 /* A motion itself, and what it keeps of bodies, points, actuators, drives and unknowns; under even
  * pressure a point is a body too. */
 #define LCPUSH_MOTION_BYTES_(real, bodies, points, actuators, drives, n)                           \
-  (230 * LCPUSH_WORD_ + 250 * sizeof(real) + 900 +                                                 \
+  (230 * LCPUSH_WORD_ + 250 * sizeof(real) + 1200 +                                                \
    (bodies) * (2 * LCPUSH_BODY_BYTES_(real) + 24 * sizeof(real) + 2 * LCPUSH_WORD_ + 16) +         \
    (points) * (LCPUSH_BODY_BYTES_(real) + 40 * sizeof(real) + 6 * LCPUSH_WORD_) +                  \
    (actuators)*8 * sizeof(real) + (drives)*2 * LCPUSH_DRIVE_BYTES_(real) + 2 * (n))
