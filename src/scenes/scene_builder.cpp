@@ -157,10 +157,16 @@ private:
     }
   }
 
-  bool is_on_round_side(const Vector3<S>& normal) const {
+  /// Not on a cylinder's flat end, nor as far inside as points that stand for what lies below.
+  bool is_on_round_side(const Patch<S>& patch) const {
     const ObjectShape& shape = scene_.shape;
-    if (shape.kind != ObjectShape::Kind::cylinder) return shape.kind == ObjectShape::Kind::ball;
-    return Eigen::numext::abs(normal[shape.axis]) < S(1) / S(2); // of a unit: not on its flat end
+    Vector3<S> n = patch.normal, p = patch.positions.front() - scene_.object.center_of_mass;
+    if (shape.kind == ObjectShape::Kind::cylinder)
+      n[shape.axis] = p[shape.axis] = S(0);
+    else if (shape.kind != ObjectShape::Kind::ball)
+      return false;
+    const S radius(shape.size[(shape.axis + 1) % 3] / 2);
+    return n.dot(n) > S(1) / S(2) && p.dot(p) > radius * radius / S(4);
   }
 
   void read_body(Role role, const TableReader& table) {
@@ -184,7 +190,7 @@ private:
     body.role = role;
     body.normal = patch.normal;
     body.tangent = patch.tangent;
-    if (scene_.strokes.back().rides_on_object && is_on_round_side(body.normal))
+    if (scene_.strokes.back().rides_on_object && is_on_round_side(patch))
       table.fail("points_on", "a contact moves over a round side as the object rolls, and does not "
                               "go with it; remove points_on");
     body.friction = table.number<S>("friction", Sign::not_negative);

@@ -304,21 +304,25 @@ private:
     return file_.shape.kind != ObjectShape::Kind::ball;
   }
 
-  /// Friction needs something that presses.
+  /// Friction needs something that presses: weight, a force, a grip, or a push against a finger.
   void check_load() {
-    const bool has_finger =
-        std::any_of(file_.bodies.begin(), file_.bodies.end(), [](const Body<double>& body) {
-          return body.role == Role::finger && body.friction > 0;
-        });
-    const bool is_pressed =
-        !file_.drives.empty() || std::any_of(file_.bodies.begin(), file_.bodies.end(),
-                                             [](const Body<double>& b) { return b.preload > 0; });
-    if (!has_finger || is_pressed || file_.faces.size() > 0 ||
-        !(file_.gravity.isZero(0) && file_.object.wrench.isZero(0)))
+    if (!file_.gravity.isZero(0) || !file_.object.wrench.isZero(0) || !file_.drives.empty() ||
+        !file_.faces.empty())
       return;
+    bool has_finger = false, is_pressed = false;
+    for (const Body<double>& finger : file_.bodies) {
+      if (finger.role != Role::finger || !(finger.friction > 0)) continue;
+      has_finger = true;
+      is_pressed = is_pressed || finger.preload > 0;
+      for (const Body<double>& pusher : file_.bodies)
+        is_pressed = is_pressed || (pusher.role == Role::pusher &&
+                                    pusher.acceleration.head<3>().dot(finger.normal) <
+                                        -typed_slack * pusher.acceleration.norm());
+    }
+    if (!has_finger || is_pressed) return;
     doubt(Doubt::no_load, file_.lines.object,
-          "there is no gravity, force or grip_force, so nothing presses the object against what it "
-          "touches; for its weight write gravity = [0, 0, -9.81]");
+          "nothing presses the object against what it touches, neither gravity nor a force nor a "
+          "grip_force; for its weight write gravity = [0, 0, -9.81]");
   }
 
   /// All that the object lies on, and a push along it: beyond its edge nothing bears the object.
