@@ -28,6 +28,10 @@ struct DesignSettings {
   // forms to 0.1 per cent.
   int angles = 5, flush_steps = 100, most_flush_steps = 1000, capture_halvings = 10;
   double flush = 1e-6, turned_away = 2e-3;
+  /// Of a step in which round friction does not settle: the first of two in its place, so often. Of
+  /// 24 pushes of turns up to 0.36 rad fourteen had such steps.
+  double first_part = 0.45;
+  int step_halvings = 4;
 };
 
 constexpr DesignSettings design_settings;

@@ -80,7 +80,7 @@ Status MotionRun::advance(double h) {
   const Status status = stepper_.advance(h);
   const bool is_settled = status == Status::solved || status == Status::does_not_hold ||
                           status == Status::ray || stepper_.run().reason == Reason::leap;
-  return is_settled ? status : advance_by_pyramids(h, before);
+  return is_settled || !allows_pyramids_ ? status : advance_by_pyramids(h, before);
 }
 
 Status MotionRun::advance_by_pyramids(double h, const Saved& before) {

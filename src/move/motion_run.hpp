@@ -40,6 +40,8 @@ public:
   /// does not settle, pyramids have the answer; after some such steps, they have all others too.
   [[nodiscard]] Status advance(double h);
   Index by_pyramids() const { return by_pyramids_; }
+  /// Of the steps to come: may pyramids answer instead? Else such a step says why it does not.
+  void allow_pyramids(bool allowed) { allows_pyramids_ = allowed; }
 
   /// All that a step changes.
   struct Saved {
@@ -116,7 +118,8 @@ private:
   std::vector<unsigned char> bytes_;
   std::size_t kept_;            ///< of the bytes, those that a step leaves to the next
   MotionMemory<double> memory_; ///< over the bytes
-  Index by_pyramids_ = 0;       ///< solves of round friction that did not settle
+  bool allows_pyramids_ = true;
+  Index by_pyramids_ = 0; ///< solves of round friction that did not settle
   Vector3<double> began_ = Vector3<double>::Zero(); ///< m, the centre when the last step began
   Stepper stepper_;
 };
