@@ -27,12 +27,13 @@ void check_symmetric(const ContactParts& parts, const SparseRows& A, const std::
       const double other = is_there ? A.entries[k].value : 0;
       const double size = std::sqrt(std::abs(diagonal[i])) * std::sqrt(std::abs(diagonal[j]));
       const bool is_large = std::abs(value) > (1 + ContactSettings::asymmetric) * size;
-      if (diagonal[i] < 0 || is_large ||
-          std::abs(value - other) > ContactSettings::asymmetric * size)
+      const bool is_symmetric =
+          std::abs(value - other) <= ContactSettings::asymmetric * std::max(size, std::abs(value));
+      if (diagonal[i] < 0 || is_large || !is_symmetric)
         parts.refuse("the " + name + " matrix is not " +
-                     (diagonal[i] < 0 || is_large ? "positive semidefinite" : "symmetric") +
-                     ": row " + std::to_string(i + 1) + ", column " + std::to_string(j + 1) +
-                     " is " + shown(value) + ", the diagonal " + shown(diagonal[i]) + " and " +
+                     (is_symmetric ? "positive semidefinite" : "symmetric") + ": row " +
+                     std::to_string(i + 1) + ", column " + std::to_string(j + 1) + " is " +
+                     shown(value) + ", the diagonal " + shown(diagonal[i]) + " and " +
                      shown(diagonal[j]) + ", the other side " + shown(other));
     }
 }

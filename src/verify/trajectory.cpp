@@ -292,15 +292,26 @@ std::string motion_hint(const SceneFile& file, const std::vector<TrajectoryFrame
   if ((as_given.front().pose.rotation - half_turn).norm() <= Settings::start)
     return "It begins with half a turn about z: quaternions have w first here, and these look "
            "like x, y, z, w.";
+  const auto follows = [&](const std::vector<TrajectoryFrame>& frames) {
+    return TrajectoryJudge(file, frames).judge(report.tolerance).verdict ==
+           TrajectoryVerdict::follows;
+  };
+  std::vector<TrajectoryFrame> turned_back = judged;
+  double turn = 0;
+  for (TrajectoryFrame& frame : turned_back) {
+    turn = std::max(turn, (frame.pose.rotation - frame.pose.rotation.transpose()).norm());
+    frame.pose.rotation.transposeInPlace();
+  }
+  if (turn > Settings::start && follows(turned_back))
+    return "With every rotation turned back it obeys them: these look like matrices given column "
+           "by column, or like conjugate quaternions.";
   double way = 0;
   for (TrajectoryFrame& frame : judged) {
     way = std::max(way, frame.pose.position.norm());
     frame.pose.position /= millimetres_a_metre;
     if (frame.twist) frame.twist->head<3>() /= millimetres_a_metre;
   }
-  if (way <= object_size(file) ||
-      TrajectoryJudge(file, judged).judge(report.tolerance).verdict != TrajectoryVerdict::follows)
-    return "";
+  if (way <= object_size(file) || !follows(judged)) return "";
   return "With all places divided by 1000 it obeys them: these look like millimetres, metres are "
          "asked for.";
 }

@@ -92,6 +92,9 @@ class Trajectory(ToolTest):
         large = {"frames": [{"time": f["time"], "position": [1e3 * x for x in f["position"]],
                              "rotation": f["rotation"]} for f in frames]}
         self.assertIn("these look like millimetres", self.verdict(PIVOT, self.file("m.json", json.dumps(large)))[0]["hint"])
+        columns = {"frames": [{"time": f["time"], "position": f["position"],
+                               "rotation": [f["rotation"][3 * (k % 3) + k // 3] for k in range(9)]} for f in frames]}
+        self.assertIn("column by column", self.verdict(PIVOT, self.file("m.json", json.dumps(columns)))[0]["hint"])
         rows = ["time,x,y,z,qw,qx,qy,qz"]
         for frame in frames:
             r = frame["rotation"]
