@@ -179,7 +179,8 @@ ShellCommand new_command() {
             {"size", "SIZE", "\"80 mm x 40 mm x 20 mm\"; of a cylinder diameter x length"},
             {"mass", "MASS", "\"120 g\" (of your size: that of aluminium)"},
             {"pads", "SIZE", "of the fingertips: \"20 mm x 10 mm\", or round \"8 mm\""},
-            {"grip", "FORCE", "\"20 N\", of each finger (four times what holds the weight)"},
+            {"grip", "FORCE",
+             "\"20 N\", of each finger (four times what holds the weight; to roll, less)"},
             {"friction", "NUMBER", "of the fingertips (0.5)"},
             commands::output_option}},
           run_new};

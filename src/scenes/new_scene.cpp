@@ -75,6 +75,7 @@ public:
       refuse("friction", given_.friction, "a coefficient such as 0.5 is meant");
     const double weight = mass_.si * earth, holds = weight / (2 * friction.value);
     // Four times what holds the weight; or little enough to roll.
+    if (rolls) grip_comment_ += "; more slips, the sheet bears the rest";
     if (given_.grip.empty()) given_.grip = in_digits(rolls ? 0.8 * weight : 4 * holds, 2) + " N";
     grip_ = only("grip", given_.grip, "[object]\n[[finger]]\ngrip_force", "20 N");
     if (rolls ? grip_.si > weight : grip_.si < holds)
