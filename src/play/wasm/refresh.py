@@ -24,7 +24,7 @@ TEXT = HERE / "solver.txt"
 # No quotes, no < > & and no backslash: it stands in C++, CMake and HTML as it is.
 ALPHABET = ("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
             "!#%()*+,-./:=?@^_{|}~$;")
-WIDTH = 1000
+WIDTH = 6000
 # A byte's place modulo four says nothing in a module; the byte before it does. unpack.js knows both.
 PACKING = [{"id": lzma.FILTER_LZMA1, "dict_size": 1 << 20, "lc": 4, "lp": 0, "pb": 0, "nice_len": 273,
             "mf": lzma.MF_BT4, "depth": 1000}]
