@@ -236,15 +236,6 @@ private:
     }
     layout_.forces = force;
     layout_.size = variable;
-    if (scene.clearances.size > 0)
-      for (Index k = 0; k < force; ++k) drop_rounding(memory_.wrenches[k]);
-  }
-  /// Where a step has turned the object, what had no part along an axis has one of rounding. Taken
-  /// for one, points that stick beside each other would be nearly independent, and pivots go astray
-  /// among them.
-  static void drop_rounding(Vector6<S>& wrench) {
-    for (S& part : wrench)
-      if (Eigen::numext::abs(part) <= ModelSettings<S>::equal_distance()) part = S(0);
   }
 
   /// The first body after b that the actuator drives, or -1.

@@ -116,6 +116,14 @@ private:
     return Eigen::numext::maxi(S(1e-9), S(4 * Eigen::NumTraits<S>::epsilon()));
   }
   S penetration_tolerance() const { return length_ * rounding(); }
+  /// Where steps have turned the object, what had no part along an axis has one of rounding. Taken
+  /// for one, points that stick beside each other are nearly independent, and pivots go astray
+  /// among them.
+  static Vector3<S> without_rounding(Vector3<S> v, const S& size) {
+    for (S& part : v)
+      if (Eigen::numext::abs(part) <= size * ModelSettings<S>::equal_distance()) part = S(0);
+    return v;
+  }
   /// What rounding leaves of a closed gap is none: over h^2 it would be a force. Under a point that
   /// presses, one step's.
   S settled(const S& gap, bool pressed = false) const {

@@ -72,7 +72,7 @@ void TimeStepper<S, Pivots>::gather_points(Index b, Index first, Index count, In
     const PlacedPoint<S>& placed = m_.placed[m_.from[k]];
     const S weight = weight_of(*scene_, body, m_.from[k]);
     m_.weights[k] = all ? weight : S(weight / sum);
-    m_.points[k] = placed.position - pose_.position;
+    m_.points[k] = without_rounding(Vector3<S>(placed.position - pose_.position), length_);
     m_.true_gaps[k] = placed.gap;
   }
   points += count;
@@ -90,8 +90,8 @@ template <class S, class Pivots> bool TimeStepper<S, Pivots>::gather() {
     if (count == 0) continue;
     Body<S>& now = m_.bodies[bodies];
     now = body;
-    now.normal = m_.placed[m_.from[points]].normal;
-    now.tangent = m_.placed[m_.from[points]].tangent;
+    now.normal = without_rounding(m_.placed[m_.from[points]].normal, S(1));
+    now.tangent = without_rounding(m_.placed[m_.from[points]].tangent, S(1));
     now.first_point = points;
     now.point_count = count;
     m_.body_of[bodies] = b;
