@@ -54,11 +54,6 @@ Sight centered(const View& view, const Frame& shown, double meters, const Pixel&
 std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
-    const Pixel &a = points[i], &b = points[j];
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  if (points.size() < 3) return order;
   const auto turn = [&points](std::size_t o, std::size_t a, std::size_t b) {
     const Pixel u = points[a] - points[o], v = points[b] - points[o];
     return u.x() * v.y() - u.y() * v.x();
@@ -66,6 +61,18 @@ std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
   double across = 0;
   for (const Pixel& p : points) across = std::max(across, (p - points[0]).squaredNorm());
   const double unseen = 1e-12 * across; // two corners that rounding has made of one
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return points[i].x() < points[j].x(); });
+  // Above each other but for rounding: from below upwards, or a side would be walked to and fro.
+  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+    const auto is_beside = [&](std::size_t i, std::size_t j) {
+      return points[j].x() - points[i].x() <= 1e-9 * std::sqrt(across);
+    };
+    for (end = begin + 1; end != order.end() && is_beside(*(end - 1), *end);) ++end;
+    std::sort(begin, end,
+              [&](std::size_t i, std::size_t j) { return points[i].y() < points[j].y(); });
+  }
+  if (points.size() < 3) return order;
   std::vector<std::size_t> all;
   for (int half = 0; half < 2; ++half) {
     const std::size_t first = all.size();

@@ -1,6 +1,7 @@
 // What pictures are made of: hulls, round numbers, prisms, labels that keep clear, markup.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -16,6 +17,27 @@ namespace {
 using Vector = Vector3<double>;
 
 } // namespace
+
+TEST_CASE("a side whose points rounding has moved keeps its corners") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> rounding(-1e-12, 1e-12);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<desktop::Pixel> points;
+    for (int twice = 0; twice < 2; ++twice)
+      for (const double x : {116.02, 479.1})
+        for (const double y : {155.54, 200.0, 264.46})
+          points.emplace_back(x + rounding(random), y + rounding(random));
+    std::shuffle(points.begin(), points.end(), random);
+    double area = 0;
+    const std::vector<desktop::Pixel> corners = desktop::hull(points);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const desktop::Pixel &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      area += (a.x() * b.y() - a.y() * b.x()) / 2;
+    }
+    CHECK(corners.size() == 4);
+    CHECK(std::abs(std::abs(area) - (479.1 - 116.02) * (264.46 - 155.54)) < 1e-6);
+  }
+}
 
 TEST_CASE("the hull of a square with points inside and on its edges is its four corners") {
   const std::vector<desktop::Pixel> corners = desktop::hull(
