@@ -54,7 +54,7 @@ class OpenFriction(ToolTest):
             self.assertRegex(told, "is not unique: for instance .* or .* N. The laws leave open how much friction")
             self.assertIn(f"{plain:.3g}", told)
         page = self.file("page.html", "")
-        run("report", scene_file, "-o", page)
+        run("report", scene_file, "-o", page, "--seconds", 600)
         self.assertIn("is not unique", pathlib.Path(page).read_text(encoding="utf-8"))
         for given, is_right in ((plain, True), ((force + plain) / 2, True), (0.9 * low, False), (1.1 * high, False)):
             verdict = run("verify", scene_file, self.file("force.json", json.dumps({"break_force": given})))
