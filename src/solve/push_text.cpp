@@ -98,7 +98,7 @@ std::string velocity_text(const SceneFile& file, const PushReport& report) {
          "speed ask lcpush move.\n";
 }
 
-/// The same, and where to look: a paragraph, or nothing.
+/// What else the laws allow, and where to look: a paragraph, or nothing.
 std::string others_text(const SceneFile& file, const PushReport& report) {
   const std::string text = others_sentences(file, report);
   return text.empty() ? "" : "\n" + text + "See: lcpush spread " + file.lines.file + "\n";

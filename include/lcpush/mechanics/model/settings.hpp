@@ -42,7 +42,8 @@ template <class S> struct ModelSettings {
   static S across_drive() { return rounding(16); }
 
   /// In units of F / m or of the fastest body: what rounding leaves of a slip where two velocities
-  /// cancel. 5 were seen in one step; half of what the referee lets pass.
+  /// cancel, a step's and that of steps before. Of 400 cylinders that roll between two plates 7 end
+  /// without an answer; 32 epsilons, and as much as a tie, left more.
   static S no_slip() { return rounding(1024); }
 
   // The answer.
