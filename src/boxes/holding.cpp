@@ -47,8 +47,7 @@ private:
         obstacle_ = "what is held is not known to be convex in " + side.parameters[0].path;
     }
     const SceneFile roughest = hand_at_rest(box_.scene_at(box_.corner(box_.corners() - 1)));
-    if (!roughest.bodies.empty() && roughest.pressure == Pressure::pad &&
-        has_self_stress(GripStatics(roughest)))
+    if (!roughest.bodies.empty() && is_squeezed(roughest, GripStatics(roughest)))
       obstacle_ = "its contacts may squeeze it against each other, and nothing says how hard";
     if (file_.hand == Hand::locked)
       obstacle_ = "locked jaws press with what the load makes of their grip, which is not convex";

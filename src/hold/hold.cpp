@@ -157,9 +157,7 @@ public:
 
   /// By the scene's law: which grips hold, and does the scene's own?
   void find_law() {
-    // Locked jaws are closed with a force that is given, and other laws leave forces to statics.
-    is_squeezed_ =
-        hand_.hand != Hand::locked && hand_.pressure == Pressure::pad && has_self_stress(statics_);
+    is_squeezed_ = is_squeezed(hand_, statics_);
     study_.is_statics = !statics_.has_pads() && !is_squeezed_;
     study_.factor = study_.statics_factor;
     study_.most = study_.statics_most;

@@ -11,4 +11,10 @@ namespace lcpush::desktop {
 /// too wide.
 bool has_self_stress(const GripStatics& statics);
 
+/// Is that so, and nobody says how hard? Locked jaws are closed with a force that is given, and
+/// other laws than pads' leave forces to statics.
+inline bool is_squeezed(const SceneFile& hand, const GripStatics& statics) {
+  return hand.hand != Hand::locked && hand.pressure == Pressure::pad && has_self_stress(statics);
+}
+
 } // namespace lcpush::desktop
