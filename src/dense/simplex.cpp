@@ -131,8 +131,10 @@ Index Simplex::leaving(Index column, bool first) const {
 
 Simplex::Ending Simplex::descend() {
   const Index m = rows(), most = Settings::pivots + Settings::pivots_a_row * m;
+  const bool is_lifted = is_basic_[static_cast<std::size_t>(helper_)];
   Index idle = 0;
   for (Index k = 0; k < most; ++k) {
+    if (is_lifted && !is_basic_[static_cast<std::size_t>(helper_)]) return Ending::found;
     const bool first = idle > 2 * m; // at a corner of many: the largest pivots may go in circles
     const Index column = entering(first);
     if (column < 0) return Ending::found;

@@ -152,7 +152,9 @@ public:
           return reach >= 1 ? pi() : std::acos(cosine) - std::acos(std::max(reach, -1.0));
         },
         hold_settings.beside * weight);
-    return near ? std::max(0.0, near->upper) : unknown_number;
+    if (!near) return unknown_number;
+    const bool is_closed = near->upper - near->lower <= hold_settings.same * near->upper;
+    return std::max(0.0, is_closed ? near->upper : near->lower);
   }
 
   /// By the scene's law: which grips hold, and does the scene's own?

@@ -69,8 +69,13 @@ std::optional<double> LoadSet::least_along_axes() {
 }
 
 std::optional<NearestBoundary> LoadSet::nearest(const Nearness& nearness) {
-  return nearest_boundary([this](const Vector3<double>& along) { return end(along); }, nearness,
-                          moves_ > 0 ? hold_settings.law : hold_settings.bracket);
+  const auto support = [this](const Vector3<double>& along) { return end(along); };
+  const auto is_used_up = [this] {
+    return program_ && program_->work() > hold_settings.nearest_work;
+  };
+  const bool has_pads = moves_ > 0;
+  return nearest_boundary(support, nearness, has_pads ? hold_settings.law : hold_settings.bracket,
+                          is_used_up);
 }
 
 } // namespace lcpush::desktop

@@ -33,9 +33,9 @@ public:
   InnerPolytope(const SupportQuestion& support, const Nearness& nearness, double bracket)
       : support_(support), nearness_(nearness), bracket_(bracket) {}
 
-  std::optional<NearestBoundary> find() {
+  std::optional<NearestBoundary> find(const std::function<bool()>& is_used_up) {
     if (!span()) return has_failed_ ? std::nullopt : std::optional(best_);
-    for (Index k = 0; k < hold_settings.most_directions; ++k) {
+    for (Index k = 0; k < hold_settings.most_directions && !is_used_up(); ++k) {
       const auto thinnest = static_cast<std::size_t>(
           std::min_element(facets_.nearness.begin(), facets_.nearness.end()) -
           facets_.nearness.begin());
@@ -160,8 +160,9 @@ private:
 } // namespace
 
 std::optional<NearestBoundary> nearest_boundary(const SupportQuestion& support,
-                                                const Nearness& nearness, double bracket) {
-  return InnerPolytope(support, nearness, bracket).find();
+                                                const Nearness& nearness, double bracket,
+                                                const std::function<bool()>& is_used_up) {
+  return InnerPolytope(support, nearness, bracket).find(is_used_up);
 }
 
 } // namespace lcpush::desktop

@@ -27,9 +27,10 @@ using SupportQuestion = std::function<std::optional<SupportPoint>(const Vector3<
 /// `upper` are such numbers.
 using Nearness = std::function<double(const Vector3<double>& normal, double height)>;
 
-/// Of a set that contains the origin, to a bracket of that, relative. None: a question failed
-/// before anything was known.
+/// Of a set that contains the origin, to a bracket of that, relative, or as near as it was when
+/// `is_used_up`. None: a question failed before anything was known.
 std::optional<NearestBoundary> nearest_boundary(const SupportQuestion& support,
-                                                const Nearness& nearness, double bracket);
+                                                const Nearness& nearness, double bracket,
+                                                const std::function<bool()>& is_used_up);
 
 } // namespace lcpush::desktop

@@ -9,6 +9,8 @@ struct HoldSettings {
   /// Of a nearest distance: its bracket is closed; and the directions that are asked for that.
   double bracket = 9e-7;
   Index most_directions = 4200;
+  /// Multiplications of its programs, about a third of a second; then its bracket is told open.
+  double nearest_work = 3e8;
   double rounding = 1e-13; ///< of its size: a point is on a plane
   double beside = 4; ///< of the least reach along an axis: what is held beyond does not matter
   /// The scene's own law: its limit is pads' where it holds with so much less; else it is searched

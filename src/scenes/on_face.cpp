@@ -125,7 +125,8 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
   if (list != nullptr && list->size() == 3)
     contact.fail("center", "beside on, center is an offset in the face, [along " + x + ", along " +
                                y + "]; give these two, or remove on and give normal");
-  const int line = contact.line_of({"on"}), place = contact.line_of({"center", "on"});
+  const int line = contact.line_of({"on"});
+  const int place = std::max(line, contact.line_of({"center"})); // a center added: its table's
   const Rational side(face % 2 == 0 ? 1 : -1);
   Vector3<Rational> at = Vector3<Rational>::Zero(), normal = at;
   if (object.has("center_of_mass")) at = object.vector3<Rational>("center_of_mass");
