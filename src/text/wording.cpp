@@ -87,9 +87,10 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
+  constexpr const char* blanks = " \t\r"; // some ends of lines are two characters
+  const std::size_t begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
 std::vector<std::string_view> split_at(std::string_view text, char separator) {

@@ -10,110 +10,101 @@ using Settings = VerifySettings;
 
 class ChangeJudge {
 public:
-  ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double allowed)
-      : given_(given), allowed_(allowed), laws_(file, given) {}
+  /// `parts`: of the laws' own steps between two frames.
+  ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, int parts)
+      : file_(file), given_(thinned(given)), parts_(parts), laws_(file, given_) {}
 
-  MissedChange judge(double enough, double fastest) {
-    MissedChange worst;
-    if (laws_.run().start() != Status::running) return worst;
-    std::size_t from = 0;
-    if (!given_[0].twist) { // its speed is not known before it has moved
-      if (!led_astray(0, 1, 1)) return worst;
-      from = 1;
-    }
-    std::vector<MissedChange> found;
-    for (std::size_t to = from + 1; to < given_.size(); ++to) {
-      if (turns_far(to)) { // between two frames: steps in proportion do not tell where it leads
-        from = to;
-        continue;
-      }
-      const double changed = laws_.telling().fastest(
-          given_[to].pose, velocity_at(given_, to) - velocity_at(given_, from));
-      const bool is_last = to + 1 == given_.size();
-      const std::size_t frames = to - from;
-      const bool shows = changed >= enough && frames >= Settings::least_change_frames;
-      if (!shows && !(is_last && found.empty()) && frames < Settings::change_frames) continue;
-      std::optional<double> missed = missed_change(from, to);
-      // Of a long way the laws' own may have no answer, or one that leaps: then of its first half.
-      while ((!missed || *missed > fastest) && to - from >= 2 * Settings::least_change_frames) {
-        to = from + (to - from) / 2;
-        missed = missed_change(from, to);
-      }
-      if (!missed || *missed > fastest) break; // its steps have been judged
-      found.push_back({*missed, given_[from].time, given_[to].time});
-      from = to;
-    }
-    if (found.size() == 1) return found[0];
-    // An event may be missed by once; what is wrong with the dynamics lasts.
-    for (std::size_t k = 1; k < found.size(); ++k) {
-      const MissedChange& less = found[k - 1].speed < found[k].speed ? found[k - 1] : found[k];
-      if (less.speed > worst.speed) worst = less;
-    }
-    return worst;
+  MissedChange judge() {
+    if (laws_.run().start() != Status::running) return worst_;
+    // Its speed is not known before it has moved, unless it is the scene's.
+    const bool is_start = given_[0].time == 0 && !file_.start.isZero(0);
+    const std::size_t begin = is_start || given_[0].twist ? 0 : 1;
+    if (begin == 1) (void)followed(0, velocity_at(given_, 0)); // what touches at the begin
+    const std::size_t frames =
+        std::max(Settings::least_change_frames, given_.size() / Settings::change_windows);
+    for (std::size_t from = begin; from + 1 < given_.size(); from += frames / 2)
+      follow(from, std::min(from + frames, given_.size() - 1),
+             is_start && from == 0 ? file_.start : velocity_at(given_, from),
+             (is_start && from == 0) || given_[from].twist);
+    return worst_;
   }
 
 private:
+  const SceneFile& file_;
+  const std::vector<TrajectoryFrame> given_;
+  const int parts_;
+  FollowedMotion laws_;
+  MissedChange worst_;
+
+  double seconds(std::size_t k) const { return given_[k].time - given_[k - 1].time; }
+  /// Between two frames: then the velocity between them is not their difference.
   bool turns_far(std::size_t k) const {
     const Vector6<double> step = mean_twist(given_[k - 1].pose, given_[k].pose, 1);
     return step.tail<3>().norm() > Settings::far_turn;
   }
 
-  const std::vector<TrajectoryFrame>& given_;
-  double allowed_;
-  FollowedMotion laws_;
-
-  /// By how much the laws lead the telling points elsewhere, m, interval for interval, summed
-  /// up: each in so many steps from the given place, at the velocity to which they have led before.
-  std::optional<Eigen::VectorXd> led_astray(std::size_t from, std::size_t to, int parts) {
-    const std::vector<Vector3<double>>& points = laws_.telling().points;
-    Eigen::VectorXd astray = Eigen::VectorXd::Zero(3 * static_cast<Index>(points.size()));
-    Vector6<double> velocity = velocity_at(given_, from);
-    for (std::size_t k = from + 1; k <= to; ++k) {
-      laws_.begin_at(k - 1, velocity);
-      const double h = (given_[k].time - given_[k - 1].time) / parts;
+  /// By how much the laws change a velocity from frame k to the next; none: they have no answer.
+  std::optional<Vector6<double>> followed(std::size_t k, const Vector6<double>& velocity) {
+    laws_.begin_at(k, velocity);
+    for (int part = 0; part < parts_; ++part) {
       bool is_halved = false;
-      for (int part = 0; part < parts; ++part)
-        if (laws_.advance(h, is_halved, Settings::part_halvings) != Status::solved)
-          return std::nullopt;
-      const MotionRun::Stepper& end = laws_.run().stepper();
-      velocity = end.velocity();
-      for (std::size_t i = 0; i < points.size(); ++i)
-        astray.segment<3>(3 * static_cast<Index>(i)) +=
-            end.pose().at(points[i]) - given_[k].pose.at(points[i]);
+      if (laws_.advance(seconds(k + 1) / parts_, is_halved, Settings::part_halvings) !=
+          Status::solved)
+        return std::nullopt;
     }
-    return astray;
+    return laws_.run().stepper().velocity() - velocity;
   }
 
-  /// m/s on average; of several numbers of steps, and of what steps of unequal lengths make, the
-  /// least. While more steps still lead elsewhere by as much, the laws say nothing: 0.
-  std::optional<double> missed_change(std::size_t from, std::size_t to) {
-    const double time = given_[to].time - given_[from].time;
-    const auto speed = [time](const Eigen::VectorXd& astray) {
-      double most = 0;
-      for (Index i = 0; i < astray.size(); i += 3)
-        most = std::max(most, astray.segment<3>(i).norm() / time);
-      return most;
-    };
-    laws_.begin_at(from, velocity_at(given_, from)); // it may have gone on to a later end
+  /// Each step from the given place, at the velocity to which the laws have led before; compared
+  /// with the mean velocity between two frames, in their middle, or with the given one at the end.
+  void follow(std::size_t from, std::size_t to, const Vector6<double>& start, bool is_exact) {
+    laws_.begin_at(from, start);
     const MotionRun::Saved before = laws_.run().save();
-    std::optional<Eigen::VectorXd> last = led_astray(from, to, 1);
-    if (!last) return std::nullopt;
-    double off = speed(*last), gained = off; // by the last doubling
-    for (int parts = 2; parts <= Settings::change_parts && off > allowed_; parts *= 2) {
-      laws_.run().restore(before);
-      const std::optional<Eigen::VectorXd> finer = led_astray(from, to, parts);
-      if (!finer) return std::nullopt;
-      const Eigen::VectorXd way = *finer - *last;
-      off = std::min(off, speed(*last + part_of(way, -*last) * way));
-      gained = speed(way);
-      if (off > 2 * gained + allowed_) return off;
-      last = finer;
+    Vector6<double> velocity = start, last = Vector6<double>::Zero(), shift = last;
+    // What a step changes, for of what is pushed a step's velocity is its mean, of what flies that
+    // at its end; and how the changes vary, for they may do so anywhere in a step.
+    double step = 0, varies = 0;
+    for (std::size_t k = from; k < to && !turns_far(k + 1); ++k) {
+      const std::optional<Vector6<double>> change = followed(k, velocity);
+      if (!change) break;
+      const auto speed = [&](const Vector6<double>& twist) {
+        return laws_.telling().fastest(given_[k + 1].pose, twist);
+      };
+      velocity += *change;
+      if (k == from && !is_exact) shift = seconds(k) / (2 * seconds(k + 1)) * *change;
+      if (k > from) varies += speed(*change - seconds(k + 1) / seconds(k) * last);
+      const Vector6<double> found = velocity_at(given_, k + 1);
+      step = std::max({step, speed(*change), speed(found - velocity_at(given_, k))});
+      last = *change;
+      const bool is_mean = !given_[k + 1].twist;
+      const Vector6<double> lawful = velocity + shift - (is_mean ? 0.5 : 0.0) * *change;
+      const double unsure = Settings::digits * laws_.telling().size / seconds(k + 1);
+      note(from, k + 1, found - start, lawful - start, step + varies + 2 * unsure);
     }
-    return off > allowed_ && off < Settings::settled * gained ? 0 : off;
+    laws_.run().restore(before);
+  }
+
+  /// Velocities since frame `from`.
+  void note(std::size_t from, std::size_t k, const Vector6<double>& found,
+            const Vector6<double>& lawful, double unsure) {
+    const Pose<double>& pose = given_[k].pose;
+    const double off = laws_.telling().fastest(pose, found - lawful) - unsure;
+    if (!(off > worst_.speed)) return;
+    const Vector3<double> point = laws_.telling().fastest_point(pose, found - lawful);
+    worst_ = {off, given_[from].time, given_[k].time, acceleration_at(point, found),
+              acceleration_at(point, lawful)};
   }
 };
 
 } // namespace
+
+std::vector<TrajectoryFrame> thinned(const std::vector<TrajectoryFrame>& given) {
+  const std::size_t stride = (given.size() - 2) / Settings::change_frames + 1;
+  if (stride == 1) return given;
+  std::vector<TrajectoryFrame> frames;
+  for (std::size_t k = 0; k < given.size(); k += stride) frames.push_back(given[k]);
+  return frames;
+}
 
 void FollowedMotion::begin_at(std::size_t k, const Vector6<double>& twist) {
   if (k == 0) run_.begin_strokes(); // those of the scene's start, where a motion begins late
@@ -121,7 +112,7 @@ void FollowedMotion::begin_at(std::size_t k, const Vector6<double>& twist) {
   for (std::size_t a = 0; a < closings.size(); ++a)
     if (closings[a]) run_.close(static_cast<Index>(a), *closings[a], speeds[a].value_or(0));
   for (Index b = 0; b < run_.scene().bodies.size; ++b) {
-    if (k == 0 && !is_driven(run_.scene(), b)) run_.put(b, seen_.stroke_pose(b, given_[k].time));
+    if (!is_driven(run_.scene(), b)) run_.put(b, seen_.stroke_pose(b, given_[k].time));
     if (const std::optional<Pose<double>> pose = seen_.driven_pose(b, k)) run_.put(b, *pose);
   }
   run_.begin_at(given_[k].time, given_[k].pose, twist);
@@ -137,8 +128,14 @@ Status FollowedMotion::advance(double h, bool& is_halved, int halvings) {
 }
 
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
-                           double allowed, double fastest) {
-  return ChangeJudge(file, given, allowed).judge(Settings::changes * allowed, fastest);
+                           double allowed) {
+  MissedChange least = ChangeJudge(file, given, 1).judge();
+  for (const int parts : Settings::change_parts) {
+    if (least.speed <= allowed) break;
+    const MissedChange finer = ChangeJudge(file, given, parts).judge();
+    if (finer.speed < least.speed) least = finer;
+  }
+  return least;
 }
 
 } // namespace lcpush::desktop

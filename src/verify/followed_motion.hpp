@@ -26,8 +26,14 @@ private:
   MotionRun run_;
 };
 
-/// `allowed`, `fastest`: m/s. Cost: a step a frame; where they miss, up to 31.
+/// `change_frames` of a motion at most, so that its velocity changes by more than its digits from
+/// one to the next.
+std::vector<TrajectoryFrame> thinned(const std::vector<TrajectoryFrame>& given);
+
+/// How the velocity changes from frame to frame, in windows of a quarter of the motion that overlap
+/// by half. `allowed`, m/s: by more, the laws are followed in finer steps as well. Cost: two steps
+/// a frame of `change_frames` at most, then these.
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
-                           double allowed, double fastest);
+                           double allowed);
 
 } // namespace lcpush::desktop

@@ -32,8 +32,7 @@ Overlap find_overlap(const SceneFile& file, const std::vector<TrajectoryFrame>& 
       const double before = is_seen ? std::max(0.0, -*contact.gap_before) : 0,
                    now = is_seen ? std::max(0.0, -*contact.gap) : 0;
       const bool was_known = depth.is_known;
-      depth.is_known = is_seen && (was_known || before <= nothing ||
-                                   (k == 1 && before <= VerifySettings::pushed_out * size));
+      depth.is_known = is_seen && (was_known || before <= nothing || k == 1);
       if (!depth.is_known) continue;
       if (!was_known) depth.first = before;
       if (now - depth.first > depth.most) {

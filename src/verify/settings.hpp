@@ -38,9 +38,10 @@ struct VerifySettings {
                                                 ///< many times it away from the exact one
   static constexpr double stationary = 0.01;    ///< descent takes off less: an optimiser stops
   // Motions: files are printed with six digits or more, single precision among them.
-  static constexpr double rotation = 1e-6;   ///< off orthonormal
-  static constexpr double interval = 1e-3;   ///< of a step: times printed with few digits
-  static constexpr double digits = 1e-9;     ///< of the object's size: how far digits of places go
+  static constexpr double rotation = 1e-6; ///< off orthonormal
+  static constexpr double interval = 1e-3; ///< of a step: times printed with few digits
+  static constexpr double digits = 1e-9;   ///< of the object's size: how far digits of places go
+  static constexpr double coarsest_digit = 1e-3, finest_digit = 1e-9; ///< m, of places as printed
   static constexpr double same_speed = 1e-9; ///< of a difference: rounding, no other worst step
   static constexpr double at_rest = 1e-3;    ///< of the motion judged: slower, the laws hold it
   static constexpr double pushed_out = 5e-4; ///< of the object's size: a step of the laws still
@@ -49,15 +50,14 @@ struct VerifySettings {
   static constexpr double start = 1e-3;      ///< of the object's size, and of a turn: a simulator's
                                              ///< first step goes less far
   static constexpr double first_frame = 1.5; ///< intervals from 0: a first frame after a step
-  /// Times the allowed difference: a change of velocity that is followed. Accelerations that are
-  /// a sixteenth wrong make half of that wrong on average.
-  static constexpr double changes = 32;
-  static constexpr double of_change = 0.125; ///< of a step's: its own velocity is off by less
-  static constexpr double settled = 4; ///< times what twice as many steps change: that is left
-  static constexpr std::size_t least_change_frames = 8; ///< of few, schemes differ by as much
-  static constexpr double far_turn = 0.5;               ///< rad, between two frames
-  static constexpr int change_parts = 16;               ///< of an interval between two frames
-  static constexpr std::size_t change_frames = 200; ///< followed at most: seconds of a slow motion
+  /// Of each step's change: its own velocity is off by less.
+  static constexpr double of_change = 0.125;
+  /// Frames of a motion whose changes of velocity are followed, each with two steps of 0.1 ms; and
+  /// how many windows, of so many frames or more, they fill without overlap: in a quarter of it an
+  /// acceleration that is wrong by 4 % changes the velocity by the hundredth that is allowed.
+  static constexpr std::size_t change_frames = 200, change_windows = 4, least_change_frames = 8;
+  static constexpr int change_parts[] = {4, 16}; ///< of an interval, where one step misses
+  static constexpr double far_turn = 0.5;        ///< rad, between two frames
   // How finely a step between two frames is repeated, doubling its parts.
   static constexpr double most_parts = 64;          ///< simulators make up to 50 steps a frame
   static constexpr int wrong_frames = 20;           ///< then one part a frame: its verdict stands
@@ -73,6 +73,7 @@ struct VerifySettings {
   static constexpr double least_force = 1e-200; ///< N: nothing over it is nothing
   static constexpr double of_loads = 1e-6, of_motion = 1e-9, of_speeds = 1e-3;
   static constexpr double gap = 1e-4; ///< of the object's size: with less, nobody's geometry agrees
+  static constexpr double same_slip = 1e-3;    ///< of a slip: a body's contacts all slip so
   static constexpr double along_normal = 1e-6; ///< of a drive: what is across is rounding
   static constexpr double closing_slope =
       1e-3;                               ///< of a drive that hardly closes: its place is open

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lcpush::desktop {
@@ -78,8 +79,7 @@ public:
     report_.status = run_.start();
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
-    if (report_.status == Status::solved)
-      report_.missed = judge_changes(file_, given_, tolerance * report_.fastest, report_.fastest);
+    if (report_.status == Status::solved) report_.missed = judge_changes(file_, given_, allowed());
     report_.overlap = find_overlap(file_, given_);
     const double span = given_.back().time - given_.front().time;
     report_.creep = speed_between(laws_.telling(), given_.front().pose, given_.back().pose, span);
@@ -284,6 +284,36 @@ private:
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
 };
 
+/// m: the last digit of all places, a power of ten; 0: they have many.
+double last_digit(const std::vector<TrajectoryFrame>& frames) {
+  for (double digit = Settings::coarsest_digit; digit >= Settings::finest_digit;
+       digit /= Settings::decade) {
+    const auto has_more = [digit](const TrajectoryFrame& frame) {
+      const Vector3<double> digits = frame.pose.position / digit;
+      return (digits - digits.array().round().matrix()).cwiseAbs().maxCoeff() > Settings::rounded;
+    };
+    if (std::none_of(frames.begin(), frames.end(), has_more)) return digit;
+  }
+  return 0;
+}
+
+/// What the digits of places leave open of a speed between two frames, if that may be all that is
+/// wrong.
+std::string digits_hint(const std::vector<TrajectoryFrame>& frames,
+                        const TrajectoryReport& report) {
+  double h = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < frames.size(); ++k)
+    h = std::min(h, frames[k].time - frames[k - 1].time);
+  const double digit = last_digit(frames), open = 2 * digit / h;
+  const double allowed = report.tolerance * report.fastest;
+  if (report.verdict != TrajectoryVerdict::differs || report.overlap.speed > allowed ||
+      report.missed.speed > allowed || report.worst > 2 * open)
+    return "";
+  return "Places end at " + millimetres(digit) + " and frames are " + brief(h) +
+         " s apart, which leaves speeds open by " + millimetres(open) +
+         "/s: give more digits, or fewer frames.";
+}
+
 /// Of a motion that breaks the laws: `as_given`, and `judged` from where it begins.
 std::string motion_hint(const SceneFile& file, const std::vector<TrajectoryFrame>& as_given,
                         std::vector<TrajectoryFrame> judged, const TrajectoryReport& report) {
@@ -334,7 +364,13 @@ TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& traj
       frame.pose.rotation *= turned;
     }
   TrajectoryReport report = TrajectoryJudge(file, frames).judge(tolerance);
-  report.hint = motion_hint(file, trajectory.frames, frames, report);
+  report.hint = digits_hint(frames, report);
+  if (!report.hint.empty()) {
+    report.verdict = TrajectoryVerdict::stopped;
+    report.is_coarse = true;
+  } else {
+    report.hint = motion_hint(file, trajectory.frames, thinned(frames), report);
+  }
   report.offset = offset;
   report.unread = trajectory.unread;
   return report;

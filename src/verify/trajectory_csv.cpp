@@ -17,11 +17,19 @@ using Column = std::optional<std::size_t>;
 using Columns = std::vector<Column>;
 using Names = std::vector<std::string>;
 
+/// A cell as spreadsheets and csv writers put it.
+std::string_view unquoted(std::string_view cell) {
+  cell = trimmed(cell);
+  const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return is_quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
 class CsvTrajectory {
 public:
   CsvTrajectory(const std::string& file, std::string_view head, const SceneFile& scene)
-      : file_(file) {
-    for (const std::string_view word : split_at(head, ',')) names_.emplace_back(trimmed(word));
+      : file_(file), separator_(head.find(',') == head.npos ? '\t' : ',') {
+    for (const std::string_view word : split_at(head, separator_))
+      names_.emplace_back(unquoted(word));
     for (std::string& name : names_)
       if (name == "t") name = "time";
     if (!has({"time", "x", "y", "z"})) {
@@ -52,7 +60,7 @@ public:
   }
 
   TrajectoryFrame read(std::string_view line, int number) const {
-    const Row row{split_at(line, ','), number};
+    const Row row{split_at(line, separator_), number};
     if (row.words.size() != names_.size())
       throw InputError(file_, number,
                        "the first line names " + std::to_string(names_.size()) +
@@ -155,7 +163,7 @@ private:
   }
 
   double value(const Row& row, std::size_t at) const {
-    const NumberText read = read_finite_number(trimmed(row.words[at]));
+    const NumberText read = read_finite_number(unquoted(row.words[at]));
     if (read.error) throw InputError(file_, row.number, names_[at] + ": " + *read.error);
     return read.value;
   }
@@ -166,7 +174,7 @@ private:
   }
   /// Nothing where the cell is empty.
   std::optional<double> number_in(const Row& row, const Column& at) const {
-    if (!at || trimmed(row.words[*at]).empty()) return std::nullopt;
+    if (!at || unquoted(row.words[*at]).empty()) return std::nullopt;
     return value(row, *at);
   }
   std::optional<Vector3<double>> vector_in(const Row& row, const Column* at) const {
@@ -176,6 +184,7 @@ private:
   }
 
   const std::string& file_;
+  char separator_;
   Names names_;
   Column step_;
   std::vector<Columns> contacts_, bodies_;
@@ -190,13 +199,17 @@ private:
 
 ReadFrames frames_of_csv(const std::string& text, const std::string& file, const SceneFile& scene) {
   const std::vector<std::string_view> all = split_at(text, '\n');
-  const CsvTrajectory csv(file, all[0], scene);
+  const auto says = [](std::string_view line) {
+    return !trimmed(line).empty() && trimmed(line).front() != '#';
+  };
+  const auto head = std::find_if(all.begin(), all.end(), says);
+  const CsvTrajectory csv(file, head == all.end() ? all[0] : *head, scene);
   ReadFrames read;
   read.unread = csv.unread();
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    if (trimmed(all[k]).empty()) continue;
-    read.lines.push_back(static_cast<int>(k) + 1);
-    read.frames.push_back(csv.read(all[k], read.lines.back()));
+  for (auto line = head; line != all.end() && ++line != all.end();) {
+    if (!says(*line)) continue;
+    read.lines.push_back(static_cast<int>(line - all.begin()) + 1);
+    read.frames.push_back(csv.read(*line, read.lines.back()));
   }
   return read;
 }

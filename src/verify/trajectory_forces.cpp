@@ -84,6 +84,7 @@ private:
           note(one);
       }
       judge_sum(b);
+      judge_flat(b);
     }
     for (std::size_t a = 0; a < file_.actuators.size(); ++a) judge_grip(static_cast<Index>(a));
     judge_balance();
@@ -136,6 +137,34 @@ private:
     worst.time = step_.time;
     std::optional<WorstForce>& most = worst_[static_cast<std::size_t>(worst.law)];
     if (!most || !(worst.off <= most->off)) most = worst;
+  }
+
+  /// A body whose force is given without its contacts': where they are on one plane, the sum obeys
+  /// what a single one would, and where they slip alike, opposes that.
+  void judge_flat(Index b) {
+    const SeenWrench& wrench = wrenches_[static_cast<std::size_t>(b)];
+    if (!wrench.force || sum_of(b)) return;
+    const Index first = file_.body(b).first_point;
+    SeenContact all = step_.contacts[static_cast<std::size_t>(first)];
+    for (const Index i : points_of(file_.body(b))) {
+      const SeenContact& seen = step_.contacts[static_cast<std::size_t>(i)];
+      if (!seen.is_placed || (seen.normal - all.normal).norm() > Settings::along_normal) return;
+      all.touches = all.touches || seen.touches;
+      if (!seen.slip || !all.slip ||
+          (*seen.slip - *all.slip).norm() > Settings::same_slip * all.slip->norm())
+        all.slip.reset();
+    }
+    FrameContact said;
+    said.normal_force = wrench.force->dot(all.normal);
+    said.friction_force = *wrench.force - *said.normal_force * all.normal;
+    if (all.slip) said.torsion = 0;
+    ForceUnits units = units_;
+    units.point_force = std::max(units.point_force, force_size(said));
+    for (WorstForce one : judge_point(file_, first, said, all, step_.h, units)) {
+      if (one.law == ForceLaw::gap) continue; // which of them touch was told point by point
+      one.is_of_body = true;
+      note(one);
+    }
   }
 
   void judge_sum(Index b) {

@@ -195,6 +195,9 @@ ReadFrames frames_of_json(const std::string& text, const std::string& file,
 
 Trajectory parse_trajectory(const std::string& text, const std::string& file,
                             const SceneFile& scene) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF"; // of the byte order
+  if (text.compare(0, mark.size(), mark) == 0)
+    return parse_trajectory(text.substr(mark.size()), file, scene);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool is_json = first != std::string::npos && text[first] == '{';
   ReadFrames read = is_json ? frames_of_json(text, file, scene) : frames_of_csv(text, file, scene);

@@ -269,11 +269,19 @@ TellingPoints::TellingPoints(const SceneFile& file)
         points.emplace_back(side * Vector3<double>::Unit(axis));
 }
 
+Vector3<double> TellingPoints::fastest_point(const Pose<double>& object,
+                                             const Vector6<double>& twist) const {
+  const auto slower = [&](const Vector3<double>& a, const Vector3<double>& b) {
+    const auto speed = [&](const Vector3<double>& p) {
+      return acceleration_at<double>(object.rotation * p, twist).squaredNorm();
+    };
+    return speed(a) < speed(b);
+  };
+  return object.rotation * *std::max_element(points.begin(), points.end(), slower);
+}
+
 double TellingPoints::fastest(const Pose<double>& object, const Vector6<double>& twist) const {
-  double most = 0;
-  for (const Vector3<double>& p : points)
-    most = std::max(most, acceleration_at<double>(object.rotation * p, twist).norm());
-  return most;
+  return acceleration_at(fastest_point(object, twist), twist).norm();
 }
 
 } // namespace lcpush::desktop

@@ -49,7 +49,8 @@ struct TellingPoints {
   double size; ///< m, of the object
 
   explicit TellingPoints(const SceneFile& file);
-  /// m/s, of the one that this twist moves fastest.
+  /// The one that this twist moves fastest, from the centre of mass; and its speed, m/s.
+  Vector3<double> fastest_point(const Pose<double>& object, const Vector6<double>& twist) const;
   double fastest(const Pose<double>& object, const Vector6<double>& twist) const;
 };
 

@@ -25,7 +25,8 @@ std::string whose(const SceneFile& file, const WorstForce& worst) {
   case ForceLaw::newton: return "";
   case ForceLaw::sum: return file.body_name(worst.of);
   case ForceLaw::grip: return file.actuator_names[static_cast<std::size_t>(worst.of)];
-  default: return point_name(file, worst.of);
+  default:
+    return worst.is_of_body ? file.body_name(file.body_of(worst.of)) : point_name(file, worst.of);
   }
 }
 
@@ -114,6 +115,7 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
            " the simulator's, not friction's.";
   }
   case TrajectoryVerdict::stopped:
+    if (report.is_coarse && !report.hint.empty()) return "The motion is not judged.";
     if (report.is_coarse)
       return "The motion is not judged: before " + brief(report.worst_time) +
              " s the object goes so far from frame to frame that its speed is open; give "
@@ -131,11 +133,16 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
     return "The motion breaks the laws: at " + brief(report.overlap.until) + " s " +
            point_name(file, report.overlap.point) + " is " + millimetres(report.overlap.depth) +
            " inside its face; bodies do not go into each other.";
-  if (report.worst <= report.tolerance * report.fastest)
-    return "The motion breaks the laws: from " + brief(report.missed.from) + " to " +
-           brief(report.missed.until) +
-           " s its velocity changes otherwise than by their accelerations, by " +
-           speed_text(report.missed.speed) + " on average.";
+  const MissedChange& missed = report.missed;
+  const auto change = [&](const Vector3<double>& of) {
+    const double zero = VerifySettings::rounded * missed.speed;
+    const auto digits = [&](double x) { return in_digits(x, VerifySettings::told_digits, zero); };
+    return "(" + digits(of[0]) + ", " + digits(of[1]) + ", " + digits(of[2]) + ") m/s";
+  };
+  if (missed.speed > report.tolerance * report.fastest)
+    return "The motion breaks the laws: from " + brief(missed.from) + " to " + brief(missed.until) +
+           " s its velocity changes by " + change(missed.found) + ", and by the laws by " +
+           change(missed.lawful) + ".";
   return "The motion breaks the laws: they lead elsewhere by " + worst + ".";
 }
 
@@ -173,7 +180,7 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
       {"Allowed", brief(report.tolerance) + " of " + speed_text(report.fastest) +
                       ", the largest speed of a pusher or contact point"}};
   if (report.verdict == TrajectoryVerdict::differs)
-    facts.push_back({"Changes", "over several steps the laws lead to another mean velocity by " +
+    facts.push_back({"Changes", "over many steps the laws lead to another velocity by " +
                                     speed_text(report.missed.speed) + " at most"});
   if (report.offset)
     facts.push_back({"Begins", report.offset->isZero(0)

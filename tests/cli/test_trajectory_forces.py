@@ -237,6 +237,20 @@ class Forces(ToolTest):
             self.assertEqual((report["verdict"], report["forces"]["broken"]), ("wrong_forces", law))
             self.assertIn("newton", self.broken(report))
 
+    def test_a_flat_body_that_says_its_force_alone_obeys_the_cone(self):
+        frames = self.frames(FALLING, "--time", 0.1, *EACH_STEP[:2], "--frames", 21)
+        for part, law in ((1, None), (1.5, "cone"), (0.5, "dissipation"), (-1, "dissipation")):
+            made = json.loads(json.dumps(frames))
+            for frame in made:
+                frame.pop("contacts")
+                for body in frame.get("bodies", []):
+                    body["force"][1] *= part  # friction: the fingers press along z
+            report = self.verdict(FALLING, made)
+            self.assertEqual(report["forces"]["broken"], law, part)
+            if law:
+                of = self.laws(report)[law]["of"]
+                self.assertIn(of, ("left", "right"))
+
     def test_what_is_left_out_is_not_judged(self):
         frames = self.frames(PIVOT, "--time", 0.2, *EACH_STEP[:2], "--frames", 41)
 
@@ -251,7 +265,8 @@ class Forces(ToolTest):
         self.assertEqual(judged(lambda f: None), every)
         self.assertIsNone(judged(lambda f: [f.pop("contacts"), f.pop("bodies")]))
         self.assertEqual(judged(lambda f: f.pop("bodies")), every - {"sum"})
-        self.assertEqual(judged(lambda f: f.pop("contacts")), {"gap", "grip", "newton"})
+        self.assertEqual(judged(lambda f: f.pop("contacts")),
+                         {"gap", "normal", "cone", "dissipation", "grip", "newton"})  # of a body's sum
         self.assertEqual(judged(lambda f: [c.pop("friction_force") for c in f["contacts"]] + [f.pop("bodies")]),
                          {"gap", "normal", "grip"})
         self.assertEqual(judged(lambda f: [b.pop("closing") for b in f["bodies"]]), every)

@@ -78,13 +78,14 @@ const char* force_law_text(ForceLaw law); ///< "gap", ..
 /// Where the forces break a law most, or least obey it.
 struct WorstForce {
   ForceLaw law = ForceLaw::newton;
-  double off = 0;         ///< as a part of the largest force involved
-  double time = 0;        ///< s
-  Index of = -1;          ///< gap, normal, cone, dissipation: the point; sum: the body; grip: the
-                          ///< actuator
-  double found = 0;       ///< N; newton, sum: of the force that is missing
-  double lawful = 0;      ///< N: the force that it should be, at most or at least
-  bool is_moment = false; ///< both are N m
+  double off = 0;          ///< as a part of the largest force involved
+  double time = 0;         ///< s
+  Index of = -1;           ///< gap, normal, cone, dissipation: the point; sum: the body; grip: the
+                           ///< actuator
+  double found = 0;        ///< N; newton, sum: of the force that is missing
+  double lawful = 0;       ///< N: the force that it should be, at most or at least
+  bool is_moment = false;  ///< both are N m
+  bool is_of_body = false; ///< gap .. dissipation: it is the body's of this point, not its own
   bool is_out_of_plane = false; ///< cone: found is across the contact plane
   std::optional<double> gap;    ///< m; none: nothing touches there
 };
@@ -101,10 +102,12 @@ struct ForceReport {
 };
 
 /// What each step's end does not show, since it is small beside the tolerance, adds up: the
-/// velocity is followed until it has changed so much that wrong accelerations show.
+/// velocity is followed over many steps.
 struct MissedChange {
-  double speed = 0; ///< m/s, by which the laws lead elsewhere on average over so long, at most
+  double speed = 0;           ///< m/s, by which the laws lead to another velocity, at most
   double from = 0, until = 0; ///< s
+  /// m/s, of the contact point that this is: by how much its velocity changes, and by the laws.
+  Vector3<double> found = Vector3<double>::Zero(), lawful = Vector3<double>::Zero();
 };
 
 /// A point that goes into its face, which no law of contact allows. Geometry alone, of bodies whose
@@ -132,9 +135,11 @@ struct TrajectoryReport {
   std::optional<Vector3<double>> offset;
   bool has_rotation = true;          ///< as its frames
   std::vector<std::string> unread;   ///< as its file
-  std::string hint;                  ///< other units or order with which it would fit; or empty
+  std::string hint;                  ///< other units or order with which it would fit, or why its
+                                     ///< digits are too few; or empty
   Status status = Status::solved;    ///< of the step that stopped
-  bool is_coarse = false;            ///< it did as frames so far apart leave its speed open
+  bool is_coarse = false;            ///< it did as frames so far apart, or places of so few
+                                     ///< digits, leave its speed open
   double creep = 0;                  ///< m/s, mean speed of the contact point that goes farthest
   std::optional<double> held;        ///< so many times the grip that holds: the scene's own
   std::optional<ForceReport> forces; ///< none: the motion says nothing of them
