@@ -11,7 +11,9 @@ BoxForm::Row BoxForm::row_of(const RawProblem& boxed, Index i) {
   const double lo = boxed.bounds.lo[at], hi = boxed.bounds.hi[at];
   if (boxed.bounds.leader(i) >= 0) return {hi > 0 ? Kind::follows : Kind::fixed};
   if (lo == hi) return {Kind::fixed, lo};
-  if (std::isfinite(lo)) return {std::isfinite(hi) ? Kind::both : Kind::lower, lo};
+  if (std::isfinite(lo) && std::isfinite(hi)) // what is 0 there stays so to the last bit
+    return std::abs(hi) < std::abs(lo) ? Row{Kind::both, hi, -1} : Row{Kind::both, lo};
+  if (std::isfinite(lo)) return {Kind::lower, lo};
   if (std::isfinite(hi)) return {Kind::upper, hi, -1};
   return {Kind::free};
 }
@@ -25,8 +27,9 @@ Index BoxForm::unknowns_of(Kind kind) {
   }
 }
 
-/// sign * w_i of the box, with z written in the unknowns here, and one more entry of its own.
-void BoxForm::add_row(Index i, double sign, Index beside, double beside_value) {
+/// sign * w_i of the box, with z written in the unknowns here, and beside it the multiplier of its
+/// limit, in the row's own unit.
+void BoxForm::add_row(Index i, double sign, Index multiplier) {
   std::map<Index, double> entries;
   double constant = boxed_.q[static_cast<std::size_t>(i)];
   for (const SparseEntry& entry : boxed_.M.row(i)) {
@@ -35,8 +38,12 @@ void BoxForm::add_row(Index i, double sign, Index beside, double beside_value) {
     if (column.first >= 0) entries[column.first] += entry.value * column.sign;
     if (column.kind == Kind::follows) entries[column.first + 1] -= entry.value;
   }
-  for (auto& [column, value] : entries) value *= sign;
-  if (beside >= 0) entries[beside] += beside_value;
+  double largest = 0;
+  for (auto& [column, value] : entries) {
+    value *= sign;
+    largest = std::max(largest, std::abs(value));
+  }
+  if (multiplier >= 0) entries[multiplier] += largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
   for (const auto& [column, value] : entries)
     if (value != 0) problem_.M.add(column, value);
   problem_.M.end_row();
@@ -44,12 +51,13 @@ void BoxForm::add_row(Index i, double sign, Index beside, double beside_value) {
   origin_.push_back(i);
 }
 
-/// What the last unknown of a row is the multiplier of: hi - z >= 0, or hi z_j - |z| >= 0.
+/// What the last unknown of a row is the multiplier of: its other end is not passed, or
+/// hi z_j - |z| >= 0.
 void BoxForm::add_limit(Index i) {
   const auto at = static_cast<std::size_t>(i);
   const Row& row = rows_[at];
   std::map<Index, double> entries{{row.first, -1.0}};
-  double constant = boxed_.bounds.hi[at] - row.at;
+  double constant = boxed_.bounds.hi[at] - boxed_.bounds.lo[at];
   if (row.kind == Kind::follows) {
     const double friction = boxed_.bounds.hi[at];
     const Row& leader = rows_[static_cast<std::size_t>(boxed_.bounds.leader(i))];
@@ -75,14 +83,14 @@ BoxForm::BoxForm(const RawProblem& boxed) : boxed_(boxed) {
     const Row& row = rows_[static_cast<std::size_t>(i)];
     if (row.kind == Kind::fixed) continue;
     if (row.kind == Kind::follows) {
-      add_row(i, 1, row.first + 2, 1);
-      add_row(i, -1, row.first + 2, 1);
+      add_row(i, 1, row.first + 2);
+      add_row(i, -1, row.first + 2);
       add_limit(i);
     } else if (row.kind == Kind::both) {
-      add_row(i, 1, row.first + 1, 1);
+      add_row(i, row.sign, row.first + 1);
       add_limit(i);
     } else {
-      add_row(i, row.sign, -1, 0);
+      add_row(i, row.sign, -1);
     }
   }
   for (const Index i : origin_)
@@ -96,7 +104,8 @@ std::vector<double> BoxForm::inside(const std::vector<double>& z) const {
     if (row.kind == Kind::fixed) continue;
     const auto first = static_cast<std::size_t>(row.first);
     p[first] = row.sign * (z[i] - row.at);
-    if (row.kind == Kind::both && z[i] >= boxed_.bounds.hi[i]) p[first + 1] = 1;
+    const bool is_beyond = row.sign > 0 ? z[i] >= boxed_.bounds.hi[i] : z[i] <= boxed_.bounds.lo[i];
+    if (row.kind == Kind::both && is_beyond) p[first + 1] = 1;
     if (row.kind != Kind::follows) continue;
     const BoxEnds ends = ends_of(boxed_, static_cast<Index>(i), z);
     p[first] = std::max(z[i], 0.0);
@@ -112,8 +121,9 @@ double BoxForm::place(Index i, const std::vector<double>& p) const {
   if (row.kind == Kind::fixed) return row.at;
   const auto first = static_cast<std::size_t>(row.first);
   if (row.kind == Kind::follows) return p[first] - p[first + 1];
-  // At its upper end by the multiplier: there to the last bit.
-  if (row.kind == Kind::both && p[first + 1] > 0) return boxed_.bounds.hi[at];
+  // At its other end by the multiplier: there to the last bit.
+  if (row.kind == Kind::both && p[first + 1] > 0)
+    return row.sign > 0 ? boxed_.bounds.hi[at] : boxed_.bounds.lo[at];
   return row.at + row.sign * p[first];
 }
 

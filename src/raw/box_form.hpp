@@ -34,7 +34,7 @@ private:
 
   static Row row_of(const RawProblem& boxed, Index i);
   static Index unknowns_of(Kind kind);
-  void add_row(Index i, double sign, Index beside, double beside_value);
+  void add_row(Index i, double sign, Index multiplier);
   void add_limit(Index i);
   double place(Index i, const std::vector<double>& p) const;
 };

@@ -29,6 +29,7 @@ private:
   std::vector<double> unit_, row_unit_, size_, caught_, scale_, share_;
   double given_ = 0; ///< the largest of q, and of what finite ends bring, in row units
 
+  double box_size(std::size_t j) const;
   void measure_given();
   void measure_unknowns(const std::vector<double>& z);
   void measure_rows(const std::vector<double>& z, std::vector<double>& w);

@@ -87,20 +87,23 @@ void Referee::measure_given() {
   for (Index i = 0; i < problem_.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     double given = std::abs(problem_.q[at]);
-    for (const SparseEntry& entry : problem_.M.row(i)) {
-      const auto j = static_cast<std::size_t>(entry.column);
-      if (!problem_.bounds.given() || problem_.bounds.leader(entry.column) >= 0) continue;
-      const double end = std::min(std::abs(problem_.bounds.lo[j]), std::abs(problem_.bounds.hi[j]));
-      if (std::isfinite(end)) given += std::abs(entry.value) * end;
-    }
+    for (const SparseEntry& entry : problem_.M.row(i))
+      given += std::abs(entry.value) * box_size(static_cast<std::size_t>(entry.column));
     given_ = std::max(given_, given * row_unit_[at]);
   }
 }
 
-/// How large z_j may be for rounding in it to be excused: its own size and what it may have caught
-/// of the unknowns that share a row with it. What of these a row brings, it brings through its
-/// terms: a huge unknown with a tiny coefficient hides nothing. The row is its own; where that has
-/// no diagonal, any.
+/// Of the end nearer to 0, from which it is counted.
+double Referee::box_size(std::size_t j) const {
+  if (!problem_.bounds.given() || problem_.bounds.leader(static_cast<Index>(j)) >= 0) return 0;
+  const double end = std::min(std::abs(problem_.bounds.lo[j]), std::abs(problem_.bounds.hi[j]));
+  return std::isfinite(end) ? end : 0;
+}
+
+/// How large z_j may be for rounding in it to be excused: its own size, its box's, and what it may
+/// have caught of the unknowns that share a row with it. What of these a row brings, it brings
+/// through its terms: a huge unknown with a tiny coefficient hides nothing. The row is its own;
+/// where that has no diagonal, any.
 void Referee::measure_unknowns(const std::vector<double>& z) {
   const Index n = problem_.size();
   size_.assign(z.size(), 0.0);
@@ -122,9 +125,10 @@ void Referee::measure_unknowns(const std::vector<double>& z) {
     }
   }
   const double noise = Tolerances<double>().noise;
-  for (std::size_t j = 0; j < z.size(); ++j)
-    size_[j] =
-        std::abs(z[j]) + (z[j] != 0 ? std::min(size_[j] * unit_[j], caught_[j]) * noise : 0.0);
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    const double caught = z[j] != 0 ? std::min(size_[j] * unit_[j], caught_[j]) : 0;
+    size_[j] = std::abs(z[j]) + std::max(caught, box_size(j)) * noise;
+  }
 }
 
 /// w, the sum of each row's |terms|, and what a unit of z_j is of its own row, or without a

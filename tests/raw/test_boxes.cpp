@@ -114,6 +114,32 @@ TEST_CASE("boxes: what is solved is right, and what can be solved is") {
   }
 }
 
+TEST_CASE("boxes: whole numbers, zeros among them, and rows in any unit are solved") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Index n = random.integer(1, 4);
+    Eigen::MatrixXd B(n, n);
+    for (Index k = 0; k < B.size(); ++k) B.data()[k] = static_cast<double>(random.integer(-2, 2));
+    Eigen::MatrixXd M = B * B.transpose() + Eigen::MatrixXd::Identity(n, n);
+    Eigen::VectorXd q(n), unit(n);
+    for (Index i = 0; i < n; ++i) {
+      q[i] = random.integer(0, 1) == 0 ? 0 : static_cast<double>(random.integer(-5, 5));
+      unit[i] = seed % 2 == 0 ? 1 : std::pow(10.0, static_cast<double>(random.integer(-9, 9)));
+    }
+    RawProblem problem = dense_raw(unit.asDiagonal() * M, unit.cwiseProduct(q)).raw();
+    RawProblem plain = dense_raw(M, q).raw();
+    for (Index i = 0; i < n; ++i) {
+      problem.bounds.lo.push_back(static_cast<double>(-random.integer(0, 3)));
+      problem.bounds.hi.push_back(static_cast<double>(random.integer(0, 3)));
+    }
+    plain.bounds = problem.bounds;
+    const RawAnswer answer = solve_raw(problem, {});
+    REQUIRE(answer.status == Status::solved); // definite: there is one, and no other
+    CHECK(box_violation(plain, answer.z) <= 1e-7);
+  }
+}
+
 TEST_CASE("an unknown at its upper end is there to the last bit, and a closed box fixes it") {
   RawProblem problem = dense_raw(Eigen::Matrix2d{{2, 1}, {1, 2}}, Eigen::Vector2d(-5, -6)).raw();
   problem.bounds = {{0, 0.3}, {0.1, 0.3}, {}};
