@@ -62,10 +62,6 @@ Result run_lcp(const Values& values, Listener& listener) {
     values.refuse("M", values.label("solver") + " gauss-seidel needs a positive diagonal, but " +
                            values.row_name(row) + " has " + shown(problem->M(row, row)) +
                            "; use lemke or hybrid");
-  if (answer->inconsistent_row >= 0)
-    values.refuse("q", "equality " + std::to_string(answer->inconsistent_row + 1) + " of " +
-                           values.label("free") +
-                           " cannot hold: what the others leave of it says 0 = something");
   std::vector<HistoryRow> rows;
   for (const SweepResidual& check : answer->history)
     rows.push_back({check.sweep, {check.residual}});

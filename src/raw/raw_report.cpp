@@ -11,6 +11,9 @@ namespace lcpush::desktop {
 namespace {
 
 std::string reason_of(const RawAnswer& answer) {
+  if (answer.inconsistent_row >= 0)
+    return "equality " + std::to_string(answer.inconsistent_row + 1) +
+           " cannot hold, for what the others leave of it says 0 = something";
   const std::string at = printed(" (the scaled residual is %.1e)", answer.residual);
   if (answer.status == Status::sweep_limit)
     return "the limit of sweeps was reached" + at + "; raise --sweeps";
@@ -109,6 +112,7 @@ bool refutes(const RawProblem& problem, const std::vector<double>& v) {
 
 std::string raw_text(const RawProblem& problem, const RawAnswer& answer) {
   std::string text;
+  if (answer.inconsistent_row >= 0) return "There is no solution: " + reason_of(answer) + ".\n";
   if (answer.status != Status::solved) {
     text = "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
            ".\n" +
@@ -147,6 +151,7 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer,
   if (problem.bounds.given()) json.member("at", when(solved, places_of(problem, answer)));
   json.member("pieces", answer.search.pieces).member("starts", answer.search.starts);
   if (!solved) json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
+  if (answer.inconsistent_row >= 0) json.member("inconsistent_row", answer.inconsistent_row + 1);
   json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
   return json.end_object().text();
 }

@@ -59,8 +59,7 @@ class Singular(ToolTest):
             M, q = [[a * b for b in v] for a in v], [rng.gauss(0, 1) for _ in range(n)]
             lo = ["0"] * n
             lo[rng.randrange(n)] = "-inf"
-            told = run(*inline(M, q), "--lo=" + " ".join(lo), "--json").stdout
-            answer = json.loads(told or '{"status": "refused"}')  # equalities that cannot hold
+            answer = json.loads(run(*inline(M, q), "--lo=" + " ".join(lo), "--json").stdout)
             if answer["status"] != "solved":
                 continue
             for i in range(n):
@@ -69,6 +68,15 @@ class Singular(ToolTest):
                     self.assertLess(abs(w), 1e-2, (k, M, q, answer))
                 else:
                     self.assertGreater(w, -1e-2, (k, M, q, answer))
+
+    def test_equalities_that_contradict_each_other_have_no_solution(self):
+        for words in (("--M", "0", "--q", "1", "--lo", "-inf", "--hi", "inf"),
+                      ("--M", "4 -4; -4 4", "--q", "-1 5", "--lo", "-inf", "--hi", "inf")):
+            result = run(*words)
+            self.assertEqual((result.returncode, result.stderr), (1, ""))
+            self.assertRegex(unwrapped(result.stdout), "^There is no solution: equality [12] cannot hold")
+            answer = json.loads(run(*words, "--json").stdout)
+            self.assertIn(answer["inconsistent_row"], (1, 2))
 
     def test_what_rounded_cones_do_not_show_is_no_proof(self):
         told = unwrapped(run("--M", "1 -3; -0.3333333333333 1", "--q", "-1 -1").stdout)  # z = (4e13, 1.3e13)
