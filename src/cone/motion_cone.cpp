@@ -51,12 +51,15 @@ void MotionCone::trace(const Vector3<double>& from, const Crossing& begin,
   tangents << begin.twist.dot(from), begin.twist.dot(to), end.twist.dot(from), end.twist.dot(to);
   const Eigen::Vector2d limits(begin.force, end.force);
   const Eigen::Vector2d meeting = solved(tangents, limits);
-  if (!meeting.allFinite()) return; // parallel: both are the curve's own line
-  const double share = meeting[1] / meeting.sum();
+  // It turns by more than half a turn: the tangents meet behind it, or never.
+  const bool turns_back =
+      begin.twist.dot(end.twist) < 0 && !(meeting.allFinite() && meeting.minCoeff() > 0);
+  if (!turns_back && !meeting.allFinite()) return; // parallel: both are the curve's own line
+  const double share = turns_back ? end.force / limits.sum() : meeting[1] / meeting.sum();
   if (!(share > cone_settings.share && share < 1 - cone_settings.share)) return;
   const Vector3<double> between = (1 - share) * from + share * to;
   const Crossing middle = grip_.crossing(load_, between);
-  if (middle.force >= meeting.sum() * (1 - cone_settings.same_line)) return;
+  if (!turns_back && middle.force >= meeting.sum() * (1 - cone_settings.same_line)) return;
   trace(from, begin, between, middle, depth + 1, arc);
   arc.twists.push_back(middle.twist.normalized());
   trace(between, middle, to, end, depth + 1, arc);

@@ -243,6 +243,8 @@ private:
       ++located_;
       event_by_ = std::numeric_limits<double>::infinity();
     }
+    if (pair.has_event && lands(pair) && before.moment.time > landed_ && land(before, h))
+      return true;
     *report_.error += pair.error;
     if (passes_distance()) return go_last(before, h);
     keep(pair.half);
@@ -250,6 +252,37 @@ private:
     if (pair.error < allowed / 4)
       next_ = std::min(std::max(next_, 2 * h), Settings::longest_step * time_);
     return true;
+  }
+
+  /// Does a point come down on its face?
+  bool lands(const MotionFrame& frame) const {
+    for (std::size_t i = 0; last_.step > 0 && i < frame.contacts.size(); ++i)
+      if (is_touching(frame.contacts[i].touch) && !is_touching(last_.contacts[i].touch))
+        return true;
+    return false;
+  }
+  bool lands(const Pair& pair) const { return lands(pair.half.frame) || lands(pair.end.frame); }
+
+  /// The step ends where it comes down, by halving. Else a part of the blow would be left to the
+  /// next one, and what friction has of it would depend on how the steps fall. False: it is there
+  /// already, or a step has no answer.
+  bool land(const MotionRun::Saved& before, double h) {
+    const MotionRun::Saved after = run_.save();
+    double above = 0, below = h;
+    for (int k = 0; k < Settings::landing_halvings; ++k) {
+      const double middle = (above + below) / 2;
+      run_.restore(before);
+      if (solve(middle) != Status::solved) break;
+      (lands(run_.frame(middle)) ? below : above) = middle;
+    }
+    run_.restore(before);
+    if (above > 0 && solve(above) == Status::solved && !passes_distance()) {
+      keep(taken(above));
+      landed_ = now();
+      return true;
+    }
+    run_.restore(after);
+    return false;
   }
 
   /// Between two ends of the same step, m: of the point of the object that differs most.
@@ -365,6 +398,7 @@ private:
   ForceJumps jumps_;
   double next_ = 0;
   Index located_ = 0;
+  double landed_ = -1;                                        ///< s, when a step ended at a face
   double event_by_ = std::numeric_limits<double>::infinity(); ///< s, until when one is to come
   Vector3<double> touched_ = Vector3<double>::Zero(); ///< m, where it was when something did
 };

@@ -115,6 +115,25 @@ class Cone(unittest.TestCase):
             self.assertRegex(result.stderr, r"<stdin>:\d+:|standard input:\d+:|:\d+: ")
             self.assertEqual(result.stdout, "")
 
+    def test_the_margin_of_a_phone_pushed_onto_a_table_under_its_weight(self):
+        """At an angle a the grip resists with G = 2 mu F along the motion: it sticks to mu' (G cos a + W) = G sin a. With a
+        weak grip a side of the cone turns by nearly half a turn."""
+        disc = '[[finger]]\nname = "{0}"\nshape = "disc"\non = "{1}z"\nradius = 0.008\nfriction = 0.6\ngrip_force = {2}\n'
+        weight = 0.19 * 9.81
+        for force in (2, 3, 6, 15, 20, 100):
+            phone = ('gravity = [0, -9.81, 0]\nplanar = true\n[object]\nmass = 0.19\nbox = "150 x 72 x 8 mm"\n'
+                     + disc.format("a", "+", force) + disc.format("b", "-", force)
+                     + '[[pusher]]\nname = "table"\nshape = "line"\non = "-y"\nalong = "x"\nfriction = 0.3\nvelocity = [0, 0.02, 0]\n')
+            grip = 2 * 0.6 * force
+            most = math.atan(0.3) + math.asin(0.3 * weight / grip / math.hypot(1, 0.3))
+            verdict = json.loads(run("-", "--json", text=phone).stdout)
+            self.assertAlmostEqual(verdict["margin"], most, 6)
+            for part, sticks in ((0.99, True), (1.01, False)):
+                twist = f"{math.sin(part * most)} {math.cos(part * most)} 0"
+                verdict = json.loads(run("-", "--twist", twist, "--json", text=phone).stdout)
+                self.assertEqual(verdict["sticks"], sticks)
+                self.assertAlmostEqual(abs(verdict["margin"]), 0.01 * most, 6)
+
     def test_a_cut_ends_where_the_cone_does(self):
         text = without(square(("velocity = [-0.01, 0, 0]       # m/s", "velocity = [-0.01, 0, 0.0]"),
                               ("planar = true", 'planar = true\npressure = "even"')),

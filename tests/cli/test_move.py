@@ -2,7 +2,9 @@
 import csv
 import io
 import json
+import math
 import pathlib
+import random
 import re
 import tempfile
 import unittest
@@ -232,6 +234,51 @@ class Move(unittest.TestCase):
         # Who is not there has no gap.
         first = printed["frames"][1]["contacts"]
         self.assertEqual({c["gap"] for c in first if c["mode"] == "away"}, {None})
+
+
+class Blows(tool.ToolTest):
+    def test_a_blow_with_friction_does_not_depend_on_the_steps(self):
+        """A corner of a body that spins strikes a table once. The end is another program's: its own equations, steps of
+        1e-6 s up to the blow, all of that at once with friction against the slip after it, and steps again."""
+        scene = self.file("drop.toml", """gravity = [0.0, -9.81, 0.0]
+[object]
+mass = 0.3382721392173412
+inertia = [0.0006012845660353452, 0.0005303484088672795, 0.0007662692372249866, 0.0, 0.0, 0.0]
+velocity = [1.00200496373752, 0.041822381942961034, 0.18359151478321784]
+angular_velocity = [19.496798054380942, 10.915857179304005, -5.139536263594949]
+[[finger]]
+name = "t"
+shape = "point"
+center = [0.012214684762945863, -0.047025282220560446, -0.01640446161200154]
+normal = [0.0, 1.0, 0.0]
+friction = 0.38143709268242126
+points_on = "object"
+""")
+        for tolerance in (1.8e-4, 1e-5, 1e-6):
+            end = self.end(scene, "--time", 0.15033252690780333, "--tolerance", tolerance)
+            self.assertLess(math.dist(end, (0.1459256516, -0.0918882043, 0.0264984885)), tolerance / 10)
+        rng = random.Random(4)
+        for k in range(6):
+            corner = [rng.uniform(-0.03, 0.03), -0.04, rng.uniform(-0.03, 0.03)]
+            spun = self.file("spun.toml", f"""gravity = [0, -9.81, 0]
+[object]
+mass = 0.3
+inertia = [6e-4, 5e-4, 7e-4, 0, 0, 0]
+velocity = [{rng.uniform(-1, 1)}, {rng.uniform(-1, 0)}, {rng.uniform(-1, 1)}]
+angular_velocity = {[rng.uniform(-15, 15) for _ in range(3)]}
+[[finger]]
+name = "t"
+shape = "point"
+center = {corner}
+normal = [0, 1, 0]
+friction = {rng.uniform(0.2, 0.8)}
+points_on = "object"
+""")
+            coarse, fine = (self.end(spun, "--time", 0.1, "--tolerance", t) for t in (1e-5, 1e-7))
+            self.assertLess(math.dist(coarse, fine), 1e-5, k)
+
+    def end(self, scene, *words):
+        return answer(scene, "--frames", 2, *words)[0]["frames"][-1]["position"]
 
 
 main()
