@@ -72,11 +72,14 @@ double planar_reach(const SceneFile& file) {
 }
 
 void refuse_single_place(const SceneFile& file, const LimitSurface& grip) {
-  if (grip.is_empty())
+  if (grip.is_empty()) {
+    const double weight = file.object.mass * std::abs(file.gravity[2]);
     throw InputError(
         file.lines.file, file.lines.bodies.front().place,
-        "nothing presses on the object across the plane, so no friction resists a push; "
-        "give a grip_force, or gravity onto what carries it");
+        "no finger presses on the object across the plane, so no friction resists a push; give " +
+            (weight > 0 ? "what carries it grip_force = " + brief(weight) + ", its weight"
+                        : std::string("one a grip_force")));
+  }
   if (!grip.is_solid())
     throw InputError(file.lines.file, file.lines.bodies.front().place,
                      "the fingers resist no turning: they press at one place without a patch; "

@@ -93,6 +93,13 @@ void Push::record(Index sweep, const double* z) {
                       check(assembly_.scene(), layout().scales, work_.answer, assembly_.sigma())});
 }
 
+/// m/s^2: the push, or where a load or a pressing pusher moves the object as well, that; 0: without
+/// a push nothing has to stand out.
+double Push::fastest_motion(double sigma) const {
+  const double push = sigma * push_size(scene_);
+  return push > 0 ? std::max(push, work_.answer.acceleration.head<3>().norm()) : 0;
+}
+
 Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, double part) {
   PressureOptions<double> pressure = pressure_options(assembly_, sigma);
   pressure.tolerance *= part;
@@ -112,7 +119,7 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
     read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
     const Residuals<double> left = check(assembly_.scene(), layout().scales, work_.answer, sigma);
     const bool passes = left.max() <= Tolerances<double>().residual &&
-                        !is_too_slow(sigma * push_size(scene_), layout().scales, left.beside);
+                        !is_too_slow(fastest_motion(sigma), layout().scales, left.beside);
     if (passes || !(can_start_anew || can_improve)) return status;
   }
   // By other covers, or on the whole dictionary: pivots have ended on a poor basis.
@@ -370,7 +377,7 @@ PushReport Push::solve(const PushOptions& options) & {
     refuse(report, reason_text(Reason::small_load) +
                        (": weight and applied forces are " + brief(load)) +
                        " N, the largest force is " + shown(report.scales.force) + " N");
-  if (is_too_slow(push, report.scales, report.residuals.beside))
+  if (is_too_slow(fastest_motion(1.0), report.scales, report.residuals.beside))
     refuse(report,
            "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
                shown(report.scales.force) + " N on " + shown(scene_.object.mass) +

@@ -51,6 +51,41 @@ def light_cube(mass):
         finger(name, "rectangle", center=[0, -0.02 * n, 0], size=[0.02, 0.02], normal=[0, n, 0], friction=1, grip_force=20)
         for name, n in (("left", -1), ("right", 1)))
 
+PRESSES = """gravity = [-4.216370485701602, -8.11512681053464, -3.5500756014831967]
+[object]
+mass = 0.12363338926125472
+inertia = [0.0003265018723924516, 0.0002294203749175763, 0.0003428917837854598, 0.00010969159315825751, 3.2257794441104366e-05, 4.097937458381351e-05]
+[[finger]]
+name = "left"
+shape = "disc"
+center = [0.04064800503570043, -0.009939430623679494, -0.046393919927358765]
+radius = 0.0036529446502985684
+normal = [-0.4775197682574479, -0.20218818270547836, 0.855040823409976]
+friction = 0.7000601277979507
+tangent = [-0.5268479017202907, 0.844690899437812, -0.09449112582601174]
+grip_force = 14.999181944261975
+[[finger]]
+name = "right"
+shape = "disc"
+center = [-0.013855419439569413, -0.033016901083371235, 0.05119921870239743]
+radius = 0.0036529446502985684
+normal = [0.4775197682574479, 0.20218818270547836, -0.855040823409976]
+friction = 0.7000601277979507
+tangent = [-0.5268479017202907, 0.844690899437812, -0.09449112582601174]
+grip_force = 14.999181944261975
+[[pusher]]
+name = "p0"
+shape = "rectangle"
+center = [0.044422436482890786, -0.07122212635834617, 0.007967244477005357]
+size = [0.022649109946864556, 0.07324410576645174]
+points = [3, 4]
+normal = [-0.5268479017202907, 0.844690899437812, -0.09449112582601174]
+friction = 0.4083587577060567
+tangent = [0.7031402131696638, 0.49559784420555775, 0.5098790223597393]
+acceleration = [0.0008832450364675818, 0.0006395628397029249, 0.0007926365094407624]
+normal_force = 29.8739195933654
+"""
+
 
 def solved(scene):
     return json.loads(run("-", "--json", text=scene).stdout)
@@ -79,6 +114,10 @@ class NearLimits(unittest.TestCase):
     def test_pads_bear_what_the_rigid_laws_ask_for_near_a_jam(self):
         self.assertEqual(solved(SQUEEZED)["status"], "solved")
 
+    def test_a_slow_pusher_that_presses_hard_is_told_from_rounding_by_what_it_moves(self):
+        """Of a pusher with a normal_force the acceleration is next to nothing beside that of the object."""
+        self.assertEqual(solved(PRESSES)["status"], "solved")
+
     def test_fingers_across_a_plane_share_a_parallel_jaws_force(self):
         answer = solved(JAW)
         self.assertEqual([round(c["normal_force"], 6) for c in answer["contacts"][:2]], [20, 20])
@@ -86,6 +125,13 @@ class NearLimits(unittest.TestCase):
     def test_a_load_across_the_plane_is_not_dropped_in_silence(self):
         result = run("-", text="gravity = [0, 0, -9.81]\n" + JAW)
         self.assertIn("planar leaves out 1.96 N along z", unwrapped(result.stderr))
+        table = ('gravity = [0, 0, -10]\nplanar = true\n[object]\nmass = 0.7\nbox = [0.2, 0.14, 0.03]\n[[finger]]\nname = "table"\n'
+                 'shape = "rectangle"\non = "-z"\nsize = [0.2, 0.14]\nfriction = 0.35\n{}[[pusher]]\nname = "palm"\nshape = "line"\n'
+                 'on = "-x"\nalong = "y"\nfriction = 0.5\nvelocity = [0.05, 0, 0]\n')
+        told = unwrapped(run("-", text=table.format("")).stderr)
+        self.assertIn('give the finger "table" grip_force = 7', told)
+        self.assertIn("grip_force = 7, its weight", unwrapped(command("cone")("-", text=table.format("")).stderr))
+        self.assertEqual(run("-", text=table.format("grip_force = 7\n")).stderr, "")
 
     def test_what_rounding_hides_is_not_known_and_neither_a_jam_nor_a_motion(self):
         for apart in (1e-5, 1e-6, 1e-8):

@@ -102,6 +102,7 @@ private:
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   template <class Pivots>
   AnyRounds rounds_by(Pivots& pivots, const PushOptions& options, Watcher& watcher);
+  double fastest_motion(double sigma) const;
   /// Until the rounds leave `part` of what they usually do.
   Status run(const PushOptions& options, double sigma, PressureRun& run, double part = 1);
   Status with_friction(RunReport& report, const std::function<Status()>& run_once);
