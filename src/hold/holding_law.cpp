@@ -55,6 +55,7 @@ double HoldingLaw::least_grip(double bound) {
   const auto is_found = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
   const double found =
       holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, 1, is_found);
+  if (found <= statics_settings.closed) return 0; // the bracket's end: nothing has to be held
   return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
 }
 
@@ -94,7 +95,9 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   const double cap =
       statics_settings.most_force * statics_.scales().force / statics_.wrench_column(wrench).norm();
   const double far = std::isfinite(limit) ? limit : cap;
-  if (far >= cap && is_held(far) == true) return std::numeric_limits<double>::infinity();
+  // Of such forces a point may lie a hair off the line of what presses it.
+  for (const double part : {1.0, 1 - hold_settings.of_points})
+    if (far >= cap && is_held(part * far) == true) return std::numeric_limits<double>::infinity();
   const double found = searched(far, -1, is_held);
   const double least = not_less(found, is_held);
   return least == found && found >= most ? limit : least;

@@ -48,8 +48,8 @@ struct SolveSettings {
   /// settle to 1.5e-11, and the worst conditioned of 10,000 random grasps lose five digits.
   double same = 1e-5;
   /// Parts of what sticks' friction, with which another answer is looked for: without any, as who
-  /// counts by hand, or with half.
-  double less_friction[2] = {0, 0.5};
+  /// counts by hand, with half, or where that slips with hardly less.
+  double less_friction[3] = {0, 0.5, 0.9};
   /// A derivative follows pads and turning friction in so many passes at most, until one changes it
   /// by no more than this part: each leaves a pad's last compliance of it, mostly 1e-4.
   Index most_passes = 60;

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/push.hpp"
 #include "sweep/settings.hpp"
 #include "sweep/sweep_pieces.hpp"
 #include "sweep/sweep_samples.hpp"
+#include "sweep/sweep_words.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -206,6 +208,21 @@ void sweep_line(const VariedScene& scene, SweepSolver& solver, const ParameterSw
   find_zeros(solver, sweep);
 }
 
+/// At an end of the range, if at one.
+std::optional<OpenForce> find_open_force(const VariedScene& scene, const Variation& variation,
+                                         Index pusher) {
+  for (const double value : {variation.to, variation.from}) {
+    const SceneFile file = scene.at({variation.parameter}, {value});
+    PushOptions options;
+    options.explain_jams = options.study_existence = false;
+    options.other_covers = 1;
+    const BreakReport report = Push(file).find_breaking(pusher, options);
+    if (report.status == Status::solved && report.is_friction_open && report.other_force)
+      return OpenForce{value, report.breaking.break_force, *report.other_force};
+  }
+  return std::nullopt;
+}
+
 Index only_pusher(const SceneFile& file) {
   Index pusher = -1;
   for (std::size_t b = 0; b < file.bodies.size(); ++b) {
@@ -247,6 +264,8 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
     sweep.stop = stopped.why;
   }
   if (solver.stop() != Stop::none) sweep.stop = solver.stop();
+  if (sweep.stop == Stop::none && !sweep.is_map() && asked(sweep) == Question::breaking)
+    sweep.open = find_open_force(scene, variations.front(), pusher);
   if (sweep.stop != Stop::none) end_where_stopped(variations.front(), sweep);
   sweep.cold += solver.cold();
   sweep.warm += solver.warm();

@@ -141,6 +141,15 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
     json.member("of", "twist[" + std::to_string(zero.component) + "]");
     json.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps);
   });
+  json.key("open_force");
+  if (sweep.open)
+    json.begin_object()
+        .member("value", sweep.open->value)
+        .member("break_force", sweep.open->one)
+        .member("other", sweep.open->other)
+        .end_object();
+  else
+    json.value(nullptr);
   json.member("cold_solves", sweep.cold).member("warm_solves", sweep.warm);
 }
 

@@ -309,6 +309,12 @@ std::string message_text(const Sweep& sweep) {
   else
     text = head + subject(sweep, question) + " " + share_text(curve) + course_text(sweep, curve) +
            slope_text(sweep, question, curve) + ".\n";
+  if (sweep.open && question == Question::breaking)
+    text += "That is one answer of many: the laws leave open how much friction something has, and "
+            "at " +
+            with_unit(sweep.variations[0], sweep.open->value) + " " +
+            in_digits(sweep.open->other, 3) + " N is lawful as well as " +
+            newtons(sweep.open->one, 0) + ".\n";
   return text + gaps_text(sweep) + end;
 }
 

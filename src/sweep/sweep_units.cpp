@@ -20,6 +20,7 @@ Sweep in_typed_units(Sweep sweep) {
   measure(sweep.back, size);
   measure(sweep.bistable, size);
   measure(sweep.zeros, size);
+  if (sweep.open) sweep.open->value /= size;
   for (auto* const points : {&sweep.points, &sweep.points_back})
     for (SweepPoint& point : *points) {
       point.value /= size;

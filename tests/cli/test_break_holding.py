@@ -53,6 +53,10 @@ class OpenFriction(ToolTest):
             told = unwrapped(run(*words, scene_file).stdout)
             self.assertRegex(told, "is not unique: for instance .* or .* N. The laws leave open how much friction")
             self.assertIn(f"{plain:.3g}", told)
+        told = unwrapped(run("sweep", scene_file, "--vary", "wall.friction=0.1:0.5", "--steps", 3).stdout)
+        self.assertRegex(told, "That is one answer of many: .* at 0.5 0.53 N is lawful as well as ")
+        told = run("sweep", scene_file, "--vary", "table.friction=0.1:0.5", "--set", "wall.friction=0", "--steps", 3).stdout
+        self.assertNotIn("one answer of many", unwrapped(told))
         page = self.file("page.html", "")
         run("report", scene_file, "-o", page, "--seconds", 600)
         self.assertIn("is not unique", pathlib.Path(page).read_text(encoding="utf-8"))

@@ -141,6 +141,12 @@ struct SweepZero {
   bool changes_sign() const { return (jumps || from == to) && before * after < 0; }
 };
 
+/// At a value the laws leave open how much friction something has, and with it the breaking force.
+struct OpenForce {
+  double value = 0;          ///< of the parameter, an end of its range
+  double one = 0, other = 0; ///< N, both answers
+};
+
 struct Sweep {
   std::vector<Variation> variations; ///< one, or two for a map
   SceneFile scene;                   ///< as given: the names of its bodies and contacts
@@ -151,8 +157,9 @@ struct Sweep {
   std::vector<SweepPoint> points;     ///< in the sweep's order; in a map row by row
   std::vector<SweepPoint> points_back;
   std::vector<BistableRange> bistable;
-  std::vector<SweepZero> zeros; ///< component by component, in the sweep's order; not in a map
-  bool complete = true;         ///< every value was solved, or does not hold
+  std::optional<OpenForce> open; ///< not in a map
+  std::vector<SweepZero> zeros;  ///< component by component, in the sweep's order; not in a map
+  bool complete = true;          ///< every value was solved, or does not hold
   /// What ended it early. Then `variations` end where it has come to, if it has come anywhere.
   Stop stop = Stop::none;
   Index cold = 0, warm = 0; ///< solves from nothing, and from a neighbour's basis
