@@ -32,8 +32,9 @@ std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
   const std::string goal = place_words(report.goal);
   const std::string object = object_name(file);
   if (!report.holds_start)
-    return "The grasp does not hold " + object +
-           " before it is pushed, so there is no plan; `lcpush cone` says which grip would.";
+    return "The grasp does not hold " + object + " before it is pushed" +
+           (report.box ? ", for some of the values in its ranges" : "") +
+           ", so there is no plan; `lcpush hold` says which grip would.";
   if (!report.holds_goal)
     return "No plan leads to " + goal + ": there the grip would not hold " + object +
            ", for want of force, or as a finger would press beside it. --to is in m and rad.";
@@ -69,13 +70,14 @@ std::string plan_text(const SceneFile& file, const PlanReport& report, bool verb
   TableRows rows{
       {"push", "from s", "to s", "x mm", "y mm", "turn deg", "friction", "reach mm", "grip N"}};
   for (const PlannedPush& push : report.pushes)
-    rows.push_back(
-        {file.body_name(push.pusher), in_digits(push.begin, digits), in_digits(push.end, digits),
-         in_digits(millimetres_a_metre * push.to.x, digits, 1e-9),
-         in_digits(millimetres_a_metre * push.to.y, digits, 1e-9),
-         in_digits(degrees_a_radian * push.to.angle, digits, 1e-9),
-         in_digits(push.friction, digits), in_digits(millimetres_a_metre * push.reach, digits),
-         in_digits(push.grip * grip.force, digits)});
+    rows.push_back({file.body_name(push.pusher), in_digits(push.begin, digits),
+                    in_digits(push.end, digits),
+                    in_digits(millimetres_a_metre * push.to.x, digits, 1e-9),
+                    in_digits(millimetres_a_metre * push.to.y, digits, 1e-9),
+                    in_digits(degrees_a_radian * push.to.angle, digits, 1e-9),
+                    in_digits(push.friction, digits, 1e-6),
+                    in_digits(millimetres_a_metre * push.reach, digits, 1e-6),
+                    in_digits(push.grip * grip.force, digits)});
   text += "\n" + table_text(rows) + "\n";
   std::vector<Fact> facts{
       {"Columns", "where each push ends; and what it takes to stick all the way: friction of the "

@@ -5,15 +5,9 @@ import random
 
 from tool import SOURCE, ToolTest, json_of, main, run, unwrapped
 
+from motion_frames import cross, dot
+
 INCLINE = SOURCE / "docs/check/incline.json"
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def frame(n):

@@ -10,7 +10,6 @@ SCENES = sorted((SOURCE / "fixtures/scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
 SOFT = SOURCE / "fixtures/scenes/soft_fingers.toml"
 FCLIB = {"W", "V", "R", "mu", "q", "s"}
-PROGRAM = ("H", "f", "A", "b", "Aeq", "beq", "lb", "ub", "answer")
 
 
 def read(path):

@@ -14,7 +14,6 @@ import concurrent.futures
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 

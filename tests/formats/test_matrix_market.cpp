@@ -7,9 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <random>
 
 namespace {
 
@@ -40,20 +37,6 @@ void check_refused(const std::string& text, const std::string& location,
   CHECK(message.rfind("M.mtx:" + location + ": ", 0) == 0);
   CHECK(message.find(reason) != std::string::npos);
 }
-
-/// A file that is gone at the end of its test.
-struct ScratchFile {
-  std::string path;
-  explicit ScratchFile(const std::string& content)
-      : path((std::filesystem::temp_directory_path() /
-              ("lcpush_test_" + std::to_string(std::random_device()()) + ".mtx"))
-                 .string()) {
-    std::ofstream(path, std::ios::binary) << content;
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() { std::filesystem::remove(path); }
-};
 
 } // namespace
 

@@ -5,13 +5,7 @@ Shares no code with lcpush. Lengths in m, forces in N."""
 import math
 import random
 
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
+from motion_frames import cross, dot
 
 
 def unit(v):
@@ -85,9 +79,6 @@ class Grasp:
         column = [0.0] * len(self.rows) + [-force for _, force in self.grips] + [0.0]
         least = self.solve([-x for x in column], self.demand(1e3))  # from a thousand times the grip downwards
         return None if least is None else 1e3 - least
-
-    def limit(self, wrench):
-        return self.solve(self.part(wrench) + [0.0] * len(self.grips) + [0.0], self.demand(1))
 
 
 class Simplex:

@@ -133,16 +133,3 @@ TEST_CASE("a bimatrix game ends in an honest ray under every positive cover") {
   CHECK(own.lemke.covers_tried() == 1);
   CHECK(ray_error(lcp.M, ones, own.ray(), own.lemke.ray_artificial()) <= tolerance);
 }
-
-/// v >= 0, M'v <= 0 and v'q < 0: then v'(M z + q) < 0 for every z >= 0.
-bool proves_infeasible(const DenseLcp<double>& lcp, const VectorX<double>& v) {
-  return v.minCoeff() >= 0 && (lcp.M.transpose() * v).maxCoeff() <= tolerance && v.dot(lcp.q) < 0;
-}
-
-/// The ray that every cover ends in.
-VectorX<double> ray_of(const DenseLcp<double>& lcp) {
-  LemkeRun<double> run(lcp.size());
-  REQUIRE(run.solve(lcp) == Status::ray);
-  CHECK(run.lemke.covers_tried() == LemkeOptions<double>{}.covers);
-  return run.ray();
-}
