@@ -24,10 +24,16 @@ template <class S> std::vector<S> read_row(std::string_view text, const std::str
 
 namespace {
 
-/// What MATLAB and NumPy write about a matrix: "M = np.array(..);", "..." at the end of a line. The
-/// end of a line within ends a row, unless a comma goes on.
+/// What MATLAB, NumPy and pages write about a matrix: "M = np.array(..);", "..." at the end of a
+/// line, "[-5 -6]'", a minus that is no hyphen. The end of a line within ends a row, unless a comma
+/// goes on.
 std::string pasted(std::string_view given) {
   std::string text(given);
+  constexpr std::string_view minus = "\xE2\x88\x92";
+  for (std::size_t at; (at = text.find(minus)) != std::string::npos;)
+    text.replace(at, minus.size(), "-");
+  if (const std::size_t at = text.find("]'"); at != std::string::npos && text.find(';') > at)
+    text.erase(at + 1, 1); // of a vector, which is a column anyway
   for (std::size_t at; (at = text.find("...")) != std::string::npos;)
     text.replace(at, text.substr(at + 3, 1) == "\n" ? 4 : 3, " ");
   if (const std::size_t at = text.find('='); at != std::string::npos) text.erase(0, at + 1);

@@ -258,10 +258,10 @@ private:
       }
   }
 
-  /// A single driven finger in empty space: no other body and no load meets it.
+  /// Driven fingers that press the same way in empty space: no other body and no load meets them.
   void check_opposed() {
     const std::vector<Index> alone = bodies_closed_alone();
-    if (alone.size() != 1 || file_.hand != Hand::independent) return;
+    if (alone.empty() || file_.hand != Hand::independent) return;
     const Body<double>& finger = file_.body(alone[0]);
     const Scene<double> scene = file_.view();
     const bool in_plane = !file_.planar || std::abs(finger.normal.z()) < 1 - typed_slack;
@@ -270,11 +270,16 @@ private:
         std::any_of(file_.bodies.begin(), file_.bodies.end(), [&](const auto& other) {
           return other.bilateral || other.normal.dot(finger.normal) < -typed_slack;
         });
-    if (is_met || !in_plane) return;
-    doubt(Doubt::unopposed, file_.lines.bodies[static_cast<std::size_t>(alone[0])].normal,
-          "only " + quoted(file_.body_name(alone[0])) +
-              " presses and nothing presses against it; a parallel jaw is two fingers with the "
-              "same grip_force");
+    const bool is_one_way = std::all_of(alone.begin(), alone.end(), [&](Index b) {
+      return file_.body(b).normal.dot(finger.normal) > 1 - typed_slack;
+    });
+    if (is_met || !in_plane || !is_one_way) return;
+    const std::string who = alone.size() == 1
+                                ? "only " + quoted(file_.body_name(alone[0])) + " presses"
+                                : "all driven fingers press the same way";
+    doubt(Doubt::unopposed, file_.lines.bodies[static_cast<std::size_t>(alone.back())].normal,
+          who + " and nothing presses against " + (alone.size() == 1 ? "it" : "them") +
+              "; a parallel jaw is two fingers with the same grip_force on opposite faces");
   }
 
   /// Fingers that press across a plane, where no balance is asked for: do they meet each other?
@@ -405,7 +410,8 @@ const char* doubt_code(Doubt doubt) {
       "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
       "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
       "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "overhang",
-      "left_out",         "middle",          "unopposed",      "small_table",   "no_load"};
+      "left_out",         "middle",          "unopposed",      "small_table",   "torsion",
+      "no_load"};
   return codes[static_cast<int>(doubt)];
 }
 

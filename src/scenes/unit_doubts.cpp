@@ -15,6 +15,8 @@ constexpr double lightest = 10, heaviest = 30000; // kg/m^3
 constexpr double most_friction = 10;
 // Four times Jupiter's; and a thousand times the Earth's.
 constexpr double most_gravity = 100, most_acceleration = 1e4; // m/s^2
+// Ten times a fast robot's hand.
+constexpr double most_speed = 10; // m/s
 // Of how far out the contacts lie; a long rod is held in its middle.
 constexpr double most_gyration = 100;
 
@@ -28,6 +30,7 @@ public:
     check_gravity();
     for (std::size_t b = 0; b < file_.bodies.size(); ++b) {
       check_friction(b);
+      check_torsion(b);
       check_acceleration(b);
     }
     return std::move(doubts_);
@@ -81,9 +84,19 @@ private:
               "nor an angle");
   }
 
+  /// A soft finger's pad is no larger than what it presses.
+  void check_torsion(std::size_t b) {
+    const double radius = file_.bodies[b].torsion_radius, size = file_.shape.size.maxCoeff();
+    if (file_.shape.kind == ObjectShape::Kind::unknown || radius <= size) return;
+    doubt(Doubt::torsion, file_.lines.bodies[b].place,
+          body_label(file_, b) + "torsion_radius " + length_text(radius) +
+              " is more than the object's " + length_text(size) +
+              "; it is a length in m, about two thirds of the pad's radius");
+  }
+
   void check_acceleration(std::size_t b) {
     const double size = file_.bodies[b].acceleration.head<3>().norm();
-    if (size <= most_acceleration) return;
+    if (size <= (file_.strokes[b].is_velocity ? most_speed : most_acceleration)) return;
     doubt(Doubt::acceleration, file_.lines.bodies[b].motion,
           body_label(file_, b) +
               (file_.strokes[b].is_velocity

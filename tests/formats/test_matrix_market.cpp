@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 
 namespace {
 
@@ -209,6 +210,15 @@ TEST_CASE("what MATLAB and NumPy print is read") {
     const HostMatrix m = parse_inline_matrix(text, "--M");
     CHECK(m.rows == 2);
     CHECK(m.values == std::vector<double>{2, 1, 1, 2});
+  }
+  for (const char* text : {"q = [-5 -6]';",
+                           "[\xE2\x88\x92"
+                           "5 \xE2\x88\x92"
+                           "6]'",
+                           "\xE2\x88\x92"
+                           "5, -6"}) {
+    CAPTURE(text);
+    CHECK(parse_inline_vector(text, "--q").values == std::vector<double>{-5, -6});
   }
 }
 

@@ -27,8 +27,9 @@ enum class Doubt {
   overhang,         ///< a line or rectangle reaches beyond the box, and is cut to what touches
   left_out,         ///< a load that planar = true drops: across the plane, or a moment out of it
   middle,           ///< nothing odd: numbers have ranges, and the scene is the middle of them
-  unopposed,        ///< a single finger presses, and nothing meets it
+  unopposed,        ///< fingers press the same way, and nothing meets them
   small_table,      ///< where a push goes along it, the object slides off it
+  torsion,          ///< a soft finger's pad larger than the object
   no_load,          ///< nothing presses: without gravity, forces and grip there is no friction
 };
 
