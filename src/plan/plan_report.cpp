@@ -58,6 +58,8 @@ std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
   return text + ".";
 }
 
+constexpr double unseen = 1e-6; ///< mm, degrees, of friction: rounding's
+
 } // namespace
 
 std::string plan_text(const SceneFile& file, const PlanReport& report, bool verbose) {
@@ -72,11 +74,11 @@ std::string plan_text(const SceneFile& file, const PlanReport& report, bool verb
   for (const PlannedPush& push : report.pushes)
     rows.push_back({file.body_name(push.pusher), in_digits(push.begin, digits),
                     in_digits(push.end, digits),
-                    in_digits(millimetres_a_metre * push.to.x, digits, 1e-9),
-                    in_digits(millimetres_a_metre * push.to.y, digits, 1e-9),
-                    in_digits(degrees_a_radian * push.to.angle, digits, 1e-9),
-                    in_digits(push.friction, digits, 1e-6),
-                    in_digits(millimetres_a_metre * push.reach, digits, 1e-6),
+                    in_digits(millimetres_a_metre * push.to.x, digits, unseen),
+                    in_digits(millimetres_a_metre * push.to.y, digits, unseen),
+                    in_digits(degrees_a_radian * push.to.angle, digits, unseen),
+                    in_digits(push.friction, digits, unseen),
+                    in_digits(millimetres_a_metre * push.reach, digits, unseen),
                     in_digits(push.grip * grip.force, digits)});
   text += "\n" + table_text(rows) + "\n";
   std::vector<Fact> facts{
@@ -84,8 +86,9 @@ std::string plan_text(const SceneFile& file, const PlanReport& report, bool verb
                   "pusher, how far from its middle it has to press, grip " +
                       grip.of},
       {"Replay", "by `move" + (report.replay_step ? " --step " + number(*report.replay_step) : "") +
-                     "`, ends " + in_digits(millimetres_a_metre * report.position_error, 3, 1e-9) +
-                     " mm and " + in_digits(degrees_a_radian * report.angle_error, 3, 1e-9) +
+                     "`, ends " +
+                     in_digits(millimetres_a_metre * report.position_error, 3, unseen) +
+                     " mm and " + in_digits(degrees_a_radian * report.angle_error, 3, unseen) +
                      " degrees from there"}};
   if (verbose)
     facts.push_back({"Cost", millimetres(report.cost) + ": way, turns at the object's size, and " +

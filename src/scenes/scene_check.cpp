@@ -357,9 +357,11 @@ private:
     const Scene<double> scene = file_.view();
     const Vector6<double> w = laws::load(scene, {1.0, 1.0, 1.0});
     double across = w[2];
-    for (const Drive<double>& drive : file_.drives) // less what fingers are told to bear
-      across += file_.actuators[static_cast<std::size_t>(drive.actuator)].force *
-                file_.body(drive.body).normal[2];
+    const bool is_loaded = across != 0; // less what fingers are told to bear of it
+    for (const Drive<double>& drive : file_.drives)
+      across += is_loaded ? file_.actuators[static_cast<std::size_t>(drive.actuator)].force *
+                                file_.body(drive.body).normal[2]
+                          : 0;
     const double moment = w.segment<2>(3).norm();
     const bool by_gravity = std::abs(file_.gravity[2]) > 0;
     const int line = by_gravity ? file_.lines.gravity : file_.lines.object;

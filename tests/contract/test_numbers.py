@@ -37,7 +37,7 @@ LEFT = {
     "src/certify": 25,
     "src/cone": 1,
     "src/move": 4,
-    "src/plan": 42,
+    "src/plan": 38,
     "src/solve": 39,
     "src/sweep": 1,
     "src/verify": 2,
