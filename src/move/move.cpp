@@ -243,8 +243,7 @@ private:
       ++located_;
       event_by_ = std::numeric_limits<double>::infinity();
     }
-    if (pair.has_event && lands(pair) && before.moment.time > landed_ && land(before, h))
-      return true;
+    if (pair.has_event && lands() && before.moment.time > landed_ && land(before, h)) return true;
     *report_.error += pair.error;
     if (passes_distance()) return go_last(before, h);
     keep(pair.half);
@@ -254,14 +253,13 @@ private:
     return true;
   }
 
-  /// Does a point come down on its face?
-  bool lands(const MotionFrame& frame) const {
-    for (std::size_t i = 0; last_.step > 0 && i < frame.contacts.size(); ++i)
-      if (is_touching(frame.contacts[i].touch) && !is_touching(last_.contacts[i].touch))
-        return true;
+  /// Has a point come down on its face since the last frame?
+  bool lands() const {
+    const std::vector<Touch> now = run_.touches();
+    for (std::size_t i = 0; last_.step > 0 && i < now.size(); ++i)
+      if (is_touching(now[i]) && !is_touching(last_.contacts[i].touch)) return true;
     return false;
   }
-  bool lands(const Pair& pair) const { return lands(pair.half.frame) || lands(pair.end.frame); }
 
   /// The step ends where it comes down, by halving. Else a part of the blow would be left to the
   /// next one, and what friction has of it would depend on how the steps fall. False: it is there
@@ -273,7 +271,7 @@ private:
       const double middle = (above + below) / 2;
       run_.restore(before);
       if (solve(middle) != Status::solved) break;
-      (lands(run_.frame(middle)) ? below : above) = middle;
+      (lands() ? below : above) = middle;
     }
     run_.restore(before);
     if (above > 0 && solve(above) == Status::solved && !passes_distance()) {

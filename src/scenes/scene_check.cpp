@@ -274,12 +274,9 @@ private:
       return file_.body(b).normal.dot(finger.normal) > 1 - typed_slack;
     });
     if (is_met || !in_plane || !is_one_way) return;
-    const std::string who = alone.size() == 1
-                                ? "only " + quoted(file_.body_name(alone[0])) + " presses"
-                                : "all driven fingers press the same way";
     doubt(Doubt::unopposed, file_.lines.bodies[static_cast<std::size_t>(alone.back())].normal,
-          who + " and nothing presses against " + (alone.size() == 1 ? "it" : "them") +
-              "; a parallel jaw is two fingers with the same grip_force on opposite faces");
+          quoted(file_.body_name(alone.back())) +
+              " presses and nothing presses against it; a jaw is two fingers on opposite faces");
   }
 
   /// Fingers that press across a plane, where no balance is asked for: do they meet each other?

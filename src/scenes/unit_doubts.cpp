@@ -91,7 +91,7 @@ private:
     doubt(Doubt::torsion, file_.lines.bodies[b].place,
           body_label(file_, b) + "torsion_radius " + length_text(radius) +
               " is more than the object's " + length_text(size) +
-              "; it is a length in m, about two thirds of the pad's radius");
+              "; it is two thirds of a pad's radius, in m");
   }
 
   void check_acceleration(std::size_t b) {
