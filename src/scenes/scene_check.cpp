@@ -409,8 +409,7 @@ const char* doubt_code(Doubt doubt) {
       "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
       "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
       "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "overhang",
-      "left_out",         "middle",          "unopposed",      "small_table",   "torsion",
-      "no_load"};
+      "left_out",         "middle",          "unopposed",      "small_table",   "no_load"};
   return codes[static_cast<int>(doubt)];
 }
 

@@ -30,7 +30,6 @@ public:
     check_gravity();
     for (std::size_t b = 0; b < file_.bodies.size(); ++b) {
       check_friction(b);
-      check_torsion(b);
       check_acceleration(b);
     }
     return std::move(doubts_);
@@ -82,16 +81,6 @@ private:
           body_label(file_, b) + printed("friction %.3g", friction) +
               " is more than any material has; it is a coefficient such as 0.5, neither percent "
               "nor an angle");
-  }
-
-  /// A soft finger's pad is no larger than what it presses.
-  void check_torsion(std::size_t b) {
-    const double radius = file_.bodies[b].torsion_radius, size = file_.shape.size.maxCoeff();
-    if (file_.shape.kind == ObjectShape::Kind::unknown || radius <= size) return;
-    doubt(Doubt::torsion, file_.lines.bodies[b].place,
-          body_label(file_, b) + "torsion_radius " + length_text(radius) +
-              " is more than the object's " + length_text(size) +
-              "; it is two thirds of a pad's radius, in m");
   }
 
   void check_acceleration(std::size_t b) {

@@ -29,7 +29,6 @@ enum class Doubt {
   middle,           ///< nothing odd: numbers have ranges, and the scene is the middle of them
   unopposed,        ///< fingers press the same way, and nothing meets them
   small_table,      ///< where a push goes along it, the object slides off it
-  torsion,          ///< a soft finger's pad larger than the object
   no_load,          ///< nothing presses: without gravity, forces and grip there is no friction
 };
 
