@@ -104,7 +104,7 @@ class Cone(unittest.TestCase):
             ((("planar = true", 'planar = true\npressure = "rigid"'),), "pad"),
             ((('on = "-z"', 'on = "+y"'),), "lies in the plane"),
             ((('shape = "disc"', 'shape = "point"'), ("radius = 0.01\n", "")), "resist no turning"),
-            ((("grip_force = 50", ""),), "nothing presses on the object across the plane"),
+            ((("grip_force = 50", ""),), "no finger presses on the object across the plane"),
             ((("friction = 0.9\nvelocity = [-0.01", "friction = 0\nvelocity = [-0.01"),),
              "without friction"),
         ]
