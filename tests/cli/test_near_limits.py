@@ -88,7 +88,7 @@ normal_force = 29.8739195933654
 
 
 def solved(scene):
-    return json.loads(run("-", "--json", text=scene).stdout)
+    return json.loads(run("-", "--seconds", 600, "--json", text=scene).stdout)
 
 
 class NearLimits(unittest.TestCase):
