@@ -210,12 +210,14 @@ void sweep_line(const VariedScene& scene, SweepSolver& solver, const ParameterSw
 
 /// At an end of the range, if at one.
 std::optional<OpenForce> find_open_force(const VariedScene& scene, const Variation& variation,
-                                         Index pusher) {
+                                         Index pusher, const StopCheck& stop) {
+  StopWatcher watcher(stop);
   for (const double value : {variation.to, variation.from}) {
     const SceneFile file = scene.at({variation.parameter}, {value});
     PushOptions options;
     options.explain_jams = options.study_existence = false;
     options.other_covers = 1;
+    options.watcher = &watcher;
     const BreakReport report = Push(file).find_breaking(pusher, options);
     if (report.status == Status::solved && report.is_friction_open && report.other_force)
       return OpenForce{value, report.breaking.break_force, *report.other_force};
@@ -260,12 +262,12 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
       sample_map(solver, options, sweep);
     else
       sweep_line(scene, solver, options, sweep);
+    if (!sweep.is_map() && solver.stop() == Stop::none && asked(sweep) == Question::breaking)
+      sweep.open = find_open_force(scene, variations.front(), pusher, options.stop);
   } catch (const Stopped& stopped) {
     sweep.stop = stopped.why;
   }
   if (solver.stop() != Stop::none) sweep.stop = solver.stop();
-  if (sweep.stop == Stop::none && !sweep.is_map() && asked(sweep) == Question::breaking)
-    sweep.open = find_open_force(scene, variations.front(), pusher);
   if (sweep.stop != Stop::none) end_where_stopped(variations.front(), sweep);
   sweep.cold += solver.cold();
   sweep.warm += solver.warm();

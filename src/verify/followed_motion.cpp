@@ -17,15 +17,16 @@ public:
   MissedChange judge() {
     if (laws_.run().start() != Status::running) return worst_;
     // Its speed is not known before it has moved, unless it is the scene's.
-    const bool is_start = given_[0].time == 0 && !file_.start.isZero(0);
+    const bool is_start = starts_as_scene(file_, given_[0]);
     const std::size_t begin = is_start || given_[0].twist ? 0 : 1;
     if (begin == 1) (void)followed(0, velocity_at(given_, 0)); // what touches at the begin
     const std::size_t frames =
         std::max(Settings::least_change_frames, given_.size() / Settings::change_windows);
-    for (std::size_t from = begin; from + 1 < given_.size(); from += frames / 2)
+    for (std::size_t from = begin; from + 1 < given_.size(); from += frames / 2) {
+      const bool is_scenes = is_start && from == 0;
       follow(from, std::min(from + frames, given_.size() - 1),
-             is_start && from == 0 ? file_.start : velocity_at(given_, from),
-             (is_start && from == 0) || given_[from].twist);
+             is_scenes ? file_.start : velocity_at(given_, from), is_scenes || given_[from].twist);
+    }
     return worst_;
   }
 

@@ -202,7 +202,7 @@ private:
     const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
     const double h = to.time - from.time;
     // Its speed, before it has moved; unless it is the scene's, which says one.
-    const bool is_start = k == 1 && from.time == 0 && !file_.start.isZero(0);
+    const bool is_start = k == 1 && starts_as_scene(file_, from);
     const bool is_unknown = !from.twist && k == 1 && !is_start;
     laws_.begin_at(k - 1, is_start ? file_.start : velocity_at(given_, k - 1));
     if (is_unknown) { // where that leads is not judged

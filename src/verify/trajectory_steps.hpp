@@ -113,6 +113,11 @@ template <class Vector, class Other> double part_of(const Vector& way, const Oth
 /// Of all points over all steps, from the first frame on.
 Overlap find_overlap(const SceneFile& file, const std::vector<TrajectoryFrame>& frames);
 
+/// Does it begin as the scene does, with a velocity that the scene says?
+inline bool starts_as_scene(const SceneFile& file, const TrajectoryFrame& first) {
+  return first.time == 0 && !file.start.isZero(0);
+}
+
 /// At frame k, as given; or as of every implicit scheme the mean since the frame before.
 Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k);
 
