@@ -93,6 +93,28 @@ def disc(radius, rings=20):
 
 
 class ClosedForms(unittest.TestCase):
+    def test_fingers_typed_in_few_digits_are_known_to_hold(self):
+        """Their forces do not balance but for 1e-5, and friction takes that: m g / (3 mu) each."""
+        for digits in range(3, 9):
+            text = "gravity = [0, 0, -9.81]\n[object]\nmass = 0.5\ncylinder_radius = 0.05\ncylinder_length = 0.1\n"
+            for k in range(3):
+                c, s = (round(f(2 * math.pi * k / 3), digits) + 0 for f in (math.cos, math.sin))
+                x, y = (round(0.05 * f(2 * math.pi * k / 3), digits + 1) + 0 for f in (math.cos, math.sin))
+                text += (f'[[finger]]\nname = "f{k}"\nshape = "point"\ncenter = [{x}, {y}, 0]\nnormal = [{-c}, {-s}, 0]\n'
+                         'friction = 0.7\ngrip_force = 10\n')
+            answer = json.loads(run("-", "--json", text=text).stdout)
+            self.assertTrue(answer["held"], digits)
+            self.assertAlmostEqual(answer["least_grip"]["force"], 0.5 * 9.81 / 3 / 0.7, delta=2e-3)
+
+    def test_a_table_of_many_points_is_answered_and_says_how_far(self):
+        text = ('gravity = [0, 0, -9.81]\n[object]\nmass = 0.18\nbox = "147 x 72 x 8 mm"\n[[finger]]\nname = "table"\n'
+                'shape = "rectangle"\non = "-z"\nsize = [0.12, 0.06]\npoints = [8, 8]\nfriction = 0.3\n')
+        answer = json.loads(run("-", "--json", "--seconds", 600, text=text).stdout)
+        weight, slope = 0.18 * 9.81, math.atan(0.3)
+        for bound, least in (("lower", 0.99), ("upper", 1 - 1e-9)):
+            self.assertTrue(least <= answer["weakest"]["force"][bound] / (weight * math.sin(slope)) <= 1.001, bound)
+        self.assertTrue(0.99 * slope <= answer["tilt"] <= 1.001 * slope)
+
     """Each scene, its least factor (None: no grip holds), the most, and limits that can be written down."""
 
     def judge(self, text, factor, limits=(), most=None, precision=1e-6, held=None):
