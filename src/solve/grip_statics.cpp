@@ -288,7 +288,7 @@ StaticsProgram::Optimum StaticsProgram::minimise(const Eigen::VectorXd& c) {
       return best;
     }
     if (ending != Simplex::Ending::found) {
-      if (is_fresh || !restart()) return best;
+      if (is_fresh || !restart()) break; // what the rounds before have found holds
       is_fresh = true;
       continue;
     }
@@ -302,7 +302,8 @@ StaticsProgram::Optimum StaticsProgram::minimise(const Eigen::VectorXd& c) {
         rays_.size() == known)
       break;
   }
-  if (statics_.is_capped() && best.motion[statics_.sum_row()] > statics_settings.slips * unit)
+  if (best.ending == Ending::found && statics_.is_capped() &&
+      best.motion[statics_.sum_row()] > statics_settings.slips * unit)
     best.ending = Ending::unlimited;
   return best;
 }

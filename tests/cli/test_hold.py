@@ -328,6 +328,17 @@ class ClosedForms(unittest.TestCase):
         self.judge(scene(pair), WEIGHT / 20, [("force", (0, 0, -1), 20 - WEIGHT), ("force", (1, 0, 0), 20 - WEIGHT),
                                               ("force", (-1, 0, 0), math.inf)])
 
+    def test_a_locked_palm_behind_two_fingers_bears_any_load(self):
+        """The cap of all forces binds in a program that a corner of many rays then ends: its limit is still none."""
+        r = 0.0233345
+        parts = (finger("va", [r, r, 0], [-1, -1, 0], 0.4, grip_force=20) + finger("vb", [r, -r, 0], [-1, 1, 0], 0.4, grip_force=20)
+                 + finger("palm", [-0.033, 0, 0], [1, 0, 0], 0.4))
+        text = scene(parts, mass=0.52).replace("box = [0.04, 0.04, 0.04]", "cylinder_radius = 0.033\ncylinder_length = 0.2")
+        answer = hold(text)
+        self.assertEqual(limit(answer, "force", -1, 0, 0), math.inf)
+        self.assertEqual(limit(answer, "acceleration", 1, 0, 0), math.inf)
+        self.assertLess(limit(answer, "force", 1, 0, 0), 40)
+
     def test_what_no_finger_touches_falls(self):
         table = legs().replace("[[finger]]", "[[pusher]]") + "acceleration = [0, 0, 0]\n"
         answer = hold(scene(table))
