@@ -139,22 +139,21 @@ public:
     return found;
   }
 
-  /// By how much gravity may turn, in any direction.
+  /// By how much gravity may turn, in any direction: by statics, or where pads that all touch bear
+  /// less, by those if their law agrees.
   double tilt() {
-    const double weight = hand_.object.mass * hand_.gravity.norm() / statics_.scales().force;
-    if (!(weight > 0) || is_squeezed_) return unknown_number;
+    const std::optional<Tilt> all = tilt_of(statics_);
+    if (!all) return unknown_number;
+    const std::optional<Tilt> of_pads = pads_ ? tilt_of(*pads_) : std::nullopt;
+    if (!of_pads || !(of_pads->angle < all->angle)) return all->angle;
+    const double angle = std::min(pi(), (1 + hold_settings.beyond) * of_pads->angle);
     const Vector3<double> down = hand_.gravity.normalized();
-    const auto near = nearest(
-        statics_, Disturbance::force, Vector3<double>::Zero(),
-        [&](const Vector3<double>& normal, double height) {
-          const double cosine = std::clamp(normal.dot(down), -1.0, 1.0);
-          const double reach = (height + weight * cosine) / weight;
-          return reach >= 1 ? pi() : std::acos(cosine) - std::acos(std::max(reach, -1.0));
-        },
-        hold_settings.beside * weight);
-    if (!near) return unknown_number;
-    const bool is_closed = near->upper - near->lower <= hold_settings.same * near->upper;
-    return std::max(0.0, is_closed ? near->upper : near->lower);
+    const Vector3<double> aside =
+        (of_pads->towards - of_pads->towards.dot(down) * down).normalized();
+    const Vector3<double> more =
+        hand_.gravity.norm() * ((std::cos(angle) - 1) * down + std::sin(angle) * aside);
+    const HoldLimit held = limit({Disturbance::acceleration, -more.normalized()});
+    return held.limit < more.norm() ? of_pads->angle : all->angle;
   }
 
   /// By the scene's law: which grips hold, and does the scene's own?
@@ -222,6 +221,26 @@ private:
   bool is_squeezed_ = false;       ///< statics holds what it likes: the law alone decides
 
   static double distance(const Vector3<double>&, double height) { return height; }
+  struct Tilt {
+    double angle;            ///< rad
+    Vector3<double> towards; ///< gravity turns to it from straight down
+  };
+  std::optional<Tilt> tilt_of(const GripStatics& statics) {
+    const double weight = hand_.object.mass * hand_.gravity.norm() / statics.scales().force;
+    if (!(weight > 0) || is_squeezed_) return std::nullopt;
+    const Vector3<double> down = hand_.gravity.normalized();
+    const auto near = nearest(
+        statics, Disturbance::force, Vector3<double>::Zero(),
+        [&](const Vector3<double>& normal, double height) {
+          const double cosine = std::clamp(normal.dot(down), -1.0, 1.0);
+          const double reach = (height + weight * cosine) / weight;
+          return reach >= 1 ? pi() : std::acos(cosine) - std::acos(std::max(reach, -1.0));
+        },
+        hold_settings.beside * weight);
+    if (!near) return std::nullopt;
+    const bool is_closed = near->upper - near->lower <= hold_settings.same * near->upper;
+    return Tilt{std::max(0.0, is_closed ? near->upper : near->lower), near->direction};
+  }
   static double pi() { return std::acos(-1.0); }
   Vector3<double> at() const { return study_.at - hand_.object.center_of_mass; }
   /// An acceleration is a force at the centre of mass, backwards: the one that is known.

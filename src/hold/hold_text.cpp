@@ -261,9 +261,12 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
         {"Added mass",
          (std::isinf(study.added_mass) ? "as much as you like," : brief(study.added_mass) + " kg") +
              (study.at == file.object.center_of_mass ? " at its centre" : " at that point")});
+  // Of pads their statics is asked: the law of few points may turn a little earlier.
+  const bool is_bound = !study.is_statics && study.tilt < std::acos(-1.0);
   if (!std::isnan(study.tilt))
-    facts.push_back({"Tilt", brief(study.tilt * degrees_a_radian) + " degrees of gravity, any way" +
-                                 (study.is_statics ? "" : ", by statics")});
+    facts.push_back({"Tilt", (is_bound ? "at most " : "") + brief(study.tilt * degrees_a_radian) +
+                                 " degrees of gravity, any way" +
+                                 (study.is_statics || is_bound ? "" : ", by statics")});
   if (const std::string text = statics_text(file, study); !text.empty())
     facts.push_back({"By statics", text});
   return facts;

@@ -197,6 +197,16 @@ class ClosedForms(unittest.TestCase):
         even = hold(scene(pads, gravity=(0, 0, 0), top='pressure = "even"'))
         self.assertAlmostEqual(limit(even, "moment", 0, 1, 0), 2 * 2 / 3 * 10 * 0.006, 5)
 
+    def test_the_tilt_of_a_part_off_centre_is_that_of_its_pads(self):
+        """A phone 60 mm below its pads: statics would bear 49 degrees by shifting the pressure, the pads 21.5."""
+        pads = {"shape": "rectangle", "size": [0.02, 0.01], "grip_force": 8}
+        parts = (finger("left", [0, 0.06, 0.004], [0, 0, -1], **pads) + finger("right", [0, 0.06, -0.004], [0, 0, 1], **pads))
+        text = scene(parts, gravity=(0, -9.81, 0), box=(0.075, 0.16, 0.008))
+        tilt = math.degrees(hold(text)["tilt"])
+        self.assertTrue(21 < tilt < 23, tilt)
+        turned = [hold(t)["held"] for t in (text.replace("[object]", f'[object]\ntilt = "{a} deg about z"') for a in (20, 24))]
+        self.assertEqual(turned, [True, False])
+
     def test_pads_off_centre(self):
         """Torsion alone counts where the part is long: F = W d / (2 mu (2/3) R), and statics' F = W d / (2 mu R)."""
         part = "".join(finger(name, [-2, 0.02 * s, 0], [0, -s, 0], 0.8, shape="disc", radius=0.01, points=16, grip_force=500)
