@@ -201,7 +201,10 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
   const double force = report.breaking.break_force;
   if (report.breaking.breaks)
-    return "The grasp breaks at " + brief(force, report.noise.force) + " N, the normal force of " +
+    return "The grasp breaks at " +
+           (force < -report.noise.force
+                ? "a pull of " + brief(-force) + " N by "
+                : brief(force, report.noise.force) + " N, the normal force of ") +
            file.body_name(report.pusher) + ": " + object_name(file) + " then " +
            motion_phrase(file, report) + ".";
   const bool presses = force > word_settings.digit * report.scales.force;

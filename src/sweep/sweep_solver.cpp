@@ -107,7 +107,7 @@ DetailedAnswer read_breaking(ScenePoint& p, const PushLimit<double>& limit) {
   PressureRun run;
   Status status = lcpush::read_breaking(p.assembly, limit.z, limit.z_push, limit.valid_to, p.work,
                                         p.pusher, push_size(p.scene), breaking, run);
-  if (status == Status::solved) status = judge(breaking, p.assembly.layout().scales, run);
+  if (status == Status::solved) status = judge(breaking, p.pusher, p.assembly.layout().scales, run);
   return judge_breaking(p, status, breaking);
 }
 

@@ -51,7 +51,7 @@ template <class S, class Rounds>
   else
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
   if (status != Status::solved) return status;
-  return judge(breaking, assembly.layout().scales, run);
+  return judge(breaking, pusher, assembly.layout().scales, run);
 }
 
 } // namespace lcpush

@@ -87,23 +87,26 @@ template <class S> bool moves_object(const Breaking<S>& breaking, const Scales<S
          BreakingSettings<S>().slowest_twist + S(16) * noise;
 }
 
-/// A pusher cannot pull. Where finite pushes taken back to none say that it does, by more than they
-/// leave open, the contacts change between none and the smallest of them: most often to a fall.
+/// A pusher that only presses cannot pull. Where finite pushes taken back to none say that it does,
+/// by more than they leave open, the contacts change between none and the smallest of them: most
+/// often to a fall.
 template <class S> bool pulls(const Breaking<S>& breaking, const Scales<S>& scales) {
   const S open =
       Tolerances<S>().settled + S(10) * breaking.line_error + S(16) * breaking.residuals.max();
   return breaking.break_force < -open * scales.force;
 }
 
-/// The verdict on what was read from solved pushes; sets breaking.breaks.
-template <class S> Status judge(Breaking<S>& breaking, const Scales<S>& scales, PressureRun& run) {
+/// The verdict on what was read from solved pushes by `pusher`; sets breaking.breaks.
+template <class S>
+Status judge(Breaking<S>& breaking, const Body<S>& pusher, const Scales<S>& scales,
+             PressureRun& run) {
   if (!(breaking.residuals.max() <= Tolerances<S>().residual)) {
     run.reason = Reason::residual;
     return Status::numerical_breakdown;
   }
   breaking.breaks = moves_object(breaking, scales);
   if (motion_size(breaking.rest, scales) > at_rest<S>()) return Status::does_not_hold;
-  if (!pulls(breaking, scales)) return Status::solved;
+  if (pusher.bilateral || !pulls(breaking, scales)) return Status::solved;
   run.reason = Reason::pull;
   return Status::numerical_breakdown;
 }
