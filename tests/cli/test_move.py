@@ -171,6 +171,20 @@ class Move(unittest.TestCase):
         printed = json.loads(run("-", "--json", text=text).stdout)
         self.assertEqual([(e["contact"], e["to"]) for e in printed["events"]], [("rod.1", "separate")])
 
+    def test_what_stands_on_a_tray_goes_with_it_and_nothing_happens(self):
+        """Twelve points that stick share their forces in many ways: what ties between them let pass is no slip."""
+        glass = table("[object]", mass=0.3, cylinder_radius=0.03, cylinder_length=0.14)
+        tray = {"shape": "disc", "on": "-z", "radius": 0.03, "friction": 0.5}
+        for acceleration, pressure in (([3, 0, 0], "pad"), ([-1.1, 1.7, 0.8], "pad"), ([0, 2.9, 0], "rigid")):
+            text = f'gravity = [0, 0, -9.81]\npressure = "{pressure}"\n' + glass + pusher("tray", acceleration=acceleration, **tray)
+            for words in (("--step", 0.002), ()):
+                with self.subTest(acceleration=acceleration, pressure=pressure, words=words):
+                    printed = json.loads(run("-", "--json", "--time", 0.4, "--seconds", 600, *words, text=text).stdout)
+                    self.assertEqual((printed["events"], printed["end"]), ([], "time"))
+                    self.assertLess(printed["steps"], 300)
+                    for is_at, a in zip(printed["frames"][-1]["position"], acceleration):
+                        self.assertAlmostEqual(is_at, 0.08 * a, delta=1e-6)
+
     def test_ended_early_it_has_what_there_is(self):
         result = run(SCENES / "three_finger_hand.toml", "--seconds", "0.02", "--json")
         motion = json.loads(result.stdout)

@@ -85,9 +85,8 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
   // rounding leaves of the loads, or of the twists whose difference it is, there is none at all.
   const S tolerance = ModelSettings<S>::counts();
-  // In a step in time what a tie lets pass is none either: there slips begin from none.
   const bool is_step = scene.clearances.size > 0;
-  const S noise = is_step ? Tolerances<S>().tie : ModelSettings<S>::motion_noise();
+  const S noise = is_step ? ModelSettings<S>::step_noise() : ModelSettings<S>::motion_noise();
   const S rounding = noise * (scales.acceleration + own) / tolerance;
   const S unit = Eigen::numext::maxi(fastest, rounding);
   const ContactMargins<S> margins{S(tolerance * scales.force), S(tolerance * unit)};

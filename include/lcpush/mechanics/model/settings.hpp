@@ -49,6 +49,9 @@ template <class S> struct ModelSettings {
   // The answer.
   static S counts() { return S(1000) * Tolerances<S>().tie; } ///< of F, or of the fastest motion
   static S motion_noise() { return rounding(64); } ///< of F / m and of the object's acceleration
+  /// The same in a step in time, where slips begin from none: what several ties let pass, each of
+  /// its own unit. A glass on a tray leaves 1.05 of one tie.
+  static S step_noise() { return S(16) * Tolerances<S>().tie; }
   /// Of F / m: where no slip is faster, all are rounding.
   static S slip_noise() { return S(256) * Tolerances<S>().residual; }
   static S sticking() { return decimal(7, 3); } ///< of the fastest slip
