@@ -10,6 +10,8 @@ import unittest
 
 from tool import SOURCE, json_of, main, run, unwrapped
 
+from scene_tables import finger, pusher, table
+
 FOLDER = tempfile.TemporaryDirectory()
 
 
@@ -34,6 +36,32 @@ class Round(unittest.TestCase):
             self.assertEqual(found["status"], "solved", name)
             self.assertLessEqual(found["residual"]["max"], 1e-9)
             self.assertLessEqual(found["off_round_cone"], 1e-9)
+
+    def test_pressure_is_affine_over_what_touches_however_the_scene_is_turned(self):
+        """A box that is dragged over four points leaves one: the others bear what statics asks, 0.832, 4.839 and 2.338 N.
+
+        On the way the pads press otherwise: what they have left of that is no pressure of their law."""
+        def rotated(R, v):
+            return [sum(R[i][k] * v[k] for k in range(3)) for i in range(3)]
+        a, b = 0.7, 0.4
+        turned = [[math.cos(a), -math.sin(a) * math.cos(b), math.sin(a) * math.sin(b)],
+                  [math.sin(a), math.cos(a) * math.cos(b), -math.cos(a) * math.sin(b)], [0, math.sin(b), math.cos(b)]]
+        inertia = (0.00032208171308801013, 0.0003536082543404321, 0.0004684734587475781)
+        for R in ([[1, 0, 0], [0, 1, 0], [0, 0, 1]], turned):
+            I = [[sum(R[i][k] * inertia[k] * R[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
+            x, y, z = 0.05, 0.046741144481877855, 0.03218823610271804
+            legs = [rotated(R, p) for p in ([-x, -y, -z], [-x, -y, z], [x, -y, -z], [x, -y, z])]
+            path = pathlib.Path(FOLDER.name) / "dragged.toml"
+            path.write_text(
+                table("", gravity=rotated(R, [0, -9.81, 0])) +
+                table("[object]", mass=0.3, inertia=[I[0][0], I[1][1], I[2][2], I[0][1], I[0][2], I[1][2]]) +
+                finger("t", "points", points=legs, normal=rotated(R, [0, 1, 0]), friction=0.45045261520196966) +
+                pusher("p", "point", center=rotated(R, [-0.006304691294385479, y, -0.010875536532143829]),
+                       normal=rotated(R, [0, -1, 0]), friction=0.9545825319761843, normal_force=5.066751826013125,
+                       acceleration=rotated(R, [1.4377350334351762, 0, -0.6546414383644319])))
+            found = json_of("solve", path)
+            for contact, force in zip(found["contacts"], (0.832, 0, 4.839, 2.338)):
+                self.assertAlmostEqual(contact["normal_force"], force, delta=2e-3)
 
     def test_a_pyramid_is_told_what_it_costs(self):
         path = scene("pivot", "8")

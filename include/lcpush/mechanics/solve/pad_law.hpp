@@ -89,6 +89,25 @@ template <class S> S pad_violation(const Assembly<S>& assembly, const PressureMe
   return violation;
 }
 
+/// Does a point of a pad press that did not in the round before, or the other way round?
+template <class S>
+bool touches_otherwise(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const bool presses = assembly.cones()[i].normal_force(memory.z.data) > S(0);
+    if (memory.compliance[i] > S(0) && presses != (memory.preload[i] > S(0))) return true;
+  }
+  return false;
+}
+
+/// Does a point slip?
+template <class S> bool slides(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  const Layout<S>& layout = assembly.layout();
+  for (Index i = 0; i < layout.points; ++i)
+    if (layout.cones[i].generators > 0 && memory.z[layout.slip_index(i)] > Tolerances<S>().settled)
+      return true;
+  return false;
+}
+
 /// The pressure becomes the next round's preload.
 template <class S>
 void take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory) {

@@ -47,7 +47,7 @@ public:
     run_ = {};
     run_.reason = unsupported_reason(assembly_);
     if (run_.reason != Reason::none) return Status::bad_input;
-    stiff_starts_ = fine_ = 0;
+    stiff_starts_ = fine_ = retraces_ = 0;
     if (!options_.keeps_cones) friction_.begin();
     return is_pad() ? begin_pads(Phase::soft_pads) : begin_literal();
   }
@@ -81,9 +81,11 @@ private:
   PadSchedule<S> schedule_;
   PressureRun run_{};
   Phase phase_ = Phase::literal;
-  Index stiff_starts_ = 0, fine_ = 0;     // that have been made
-  S runaway_{PadSettings::runaway};       // beyond it the forces of rounds are lost
-  bool warm_ = false, restarted_ = false; // this round
+  Index stiff_starts_ = 0, fine_ = 0, retraces_ = 0; // that have been made
+  Index most_pivots_ = 0;                            // with which one more may begin
+  bool is_first_ = true, has_changed_ = false;       // since the pads' own preload: round, contacts
+  S runaway_{PadSettings::runaway};                  // beyond it the forces of rounds are lost
+  bool warm_ = false, restarted_ = false;            // this round
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
 
@@ -108,7 +110,27 @@ private:
     schedule_.begin(options_);
     const bool goes_on = phase == Phase::soft_pads && options_.goes_on;
     warm_ = goes_on || phase == Phase::stiff_pads;
-    if (!goes_on) pad_preload(assembly_, memory_);
+    if (!goes_on) begin_pressure();
+    return begin_round();
+  }
+  void begin_pressure() {
+    pad_preload(assembly_, memory_);
+    is_first_ = true;
+    has_changed_ = false;
+  }
+  /// A pressure that is affine over what touches [T.7] only stays so while the same points touch.
+  /// Where some have parted on the way, and pressed again, the rounds begin anew at the compliance
+  /// and with the contacts they have come to, unless that has taken too long already. What sticks
+  /// everywhere does not move by how the pressure is shared.
+  bool retraces() {
+    if (!has_changed_ || options_.goes_on || retraces_ >= PadSettings::retraces) return false;
+    if (!detail::slides(assembly_, memory_)) return false;
+    if (retraces_++ == 0) most_pivots_ = PadSettings::retrace_pivots * run_.pivots;
+    return run_.pivots <= most_pivots_;
+  }
+  Status retrace() {
+    begin_pressure();
+    warm_ = true;
     return begin_round();
   }
   Status begin_round() {
@@ -131,11 +153,14 @@ private:
       return schedule_.fall_slower() ? next_round() : restart();
     if (status != Status::solved) return end_pads(status);
     const S violation = detail::pad_violation(assembly_, memory_);
+    has_changed_ = has_changed_ || (!is_first_ && detail::touches_otherwise(assembly_, memory_));
+    is_first_ = false;
     detail::take_pressure(assembly_, memory_);
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
-    if (is_pressed && is_settled && !refines(violation)) return Status::solved;
+    if (is_pressed && is_settled && !refines(violation))
+      return retraces() ? retrace() : Status::solved;
     if (!is_settled && !may_turn()) return unsettled();
     turn(); // settled ones too: corners hold what the next pressure changes
     if (forces_over_load() > runaway_) return end_pads(Status::numerical_breakdown);
@@ -152,6 +177,11 @@ private:
   }
   /// The pads have failed.
   Status end_pads(Status status) {
+    if (retraces_ > 0 && retraces_ <= PadSettings::retraces) { // as they were
+      retraces_ = PadSettings::retraces + 1;
+      if (!options_.keeps_cones) friction_.begin();
+      return begin_pads(Phase::soft_pads);
+    }
     if (phase_ == Phase::soft_pads && status == Status::bad_input) return status;
     if (phase_ == Phase::soft_pads || stiff_starts_ < PadSettings::stiff_starts)
       return begin_literal();
