@@ -1,6 +1,7 @@
 // [T.21] The design with the widest box: cells of choices are cut where they may hold a better one.
 #include "lcpush/desktop/design.hpp"
 
+#include "boxes/settings.hpp"
 #include "design/design_model.hpp"
 #include "design/settings.hpp"
 #include "lcpush/desktop/input_error.hpp"
@@ -36,8 +37,9 @@ public:
     double room = -std::numeric_limits<double>::infinity(); ///< of one that slips
   };
 
-  /// Of these choices, the others as the file has them. `share` of the work.
-  Best find(const std::vector<bool>& chosen, double share) {
+  /// Of these choices, the others as the file has them, and no worse than the best of `known`.
+  /// `share` of the work.
+  Best find(const std::vector<bool>& chosen, double share, const std::vector<Values>& known = {}) {
     best_ = {};
     is_held_back_ = false;
     work_ = share * design_settings.work;
@@ -50,6 +52,11 @@ public:
     for (std::size_t j = 0; j < chosen.size(); ++j)
       if (chosen[j]) at[j] = std::clamp(at[j], choice(j).from, choice(j).to);
     best_.values = at;
+    const std::vector<bool> open = std::exchange(open_, std::vector<bool>(chosen.size(), false));
+    for (const Values& one : known)
+      if (const DesignModel* const model = is_allowed(one) ? possible_model_at(one) : nullptr)
+        try_one(*model, one);
+    open_ = open;
     search_few(2);
     search_few(3);
     search_at(best_.values);
@@ -70,7 +77,8 @@ public:
       const DesignModel* const model = possible_model_at(at);
       if (model == nullptr) return std::pair(0.0, std::string());
       const double margin = model->margin(at);
-      return std::pair(margin, model->first_beyond(at, margin + design_settings.beyond));
+      return std::pair(margin, model->first_beyond(at, std::min(box_settings.no_margin,
+                                                                margin + design_settings.beyond)));
     };
     std::pair<double, std::string> last;
     for (int step = 0; step <= design_settings.curve_steps; ++step) {
@@ -96,11 +104,18 @@ public:
 private:
   const DesignSpace::Choice& choice(std::size_t j) const { return space_.choices()[j]; }
 
-  /// What a better design has at least.
+  bool is_allowed(const Values& at) const {
+    for (std::size_t j = 0; j < at.size(); ++j)
+      if (at[j] < choice(j).from || at[j] > choice(j).to) return false;
+    return true;
+  }
+
+  /// What a better design has at least; near 1 masses and frictions are none.
   double wanted() const {
+    const double better = best_.margin * (1 + design_settings.better);
     return best_.margin < 0
                ? 0
-               : best_.margin * (1 + design_settings.better) + design_settings.least_margin;
+               : std::min(box_settings.no_margin, better + design_settings.least_margin);
   }
 
   /// Choices in which the conditions are not linear each have a model of their own.
@@ -176,7 +191,7 @@ private:
       }
     std::priority_queue<Cell> cells;
     add(model, std::move(all), cells);
-    while (!cells.empty() && work_ > reserve_ && wanted() < 1) {
+    while (!cells.empty() && work_ > reserve_ && wanted() < box_settings.no_margin) {
       Cell half = cells.top();
       cells.pop();
       std::size_t widest = 0;
@@ -237,6 +252,8 @@ private:
       if (work_ > 0) search_at(at);
     });
     climb(which, 1.0 / (count - 1));
+    for (std::size_t i = 0; which.size() > 1 && i < which.size(); ++i)
+      climb({which[i]}, 1.0 / (count - 1));
   }
 
   template <class Rooms> static double least(const Rooms& rooms) {
@@ -342,18 +359,21 @@ DesignReport find_design(const VariedScene& scene, const std::vector<std::string
   report.asks_ranges = space.asks_ranges();
   Designer designer(space);
   const std::size_t count = space.choices().size();
+  std::vector<Values> alone;
+  for (std::size_t j = 0; count > 1 && j < count; ++j) {
+    std::vector<bool> one(count, false);
+    one[j] = true;
+    const double share = (1 - design_settings.joint) / static_cast<double>(count);
+    alone.push_back(designer.find(one, share).values);
+  }
   const std::vector<bool> all(count, true);
-  const Designer::Best best = designer.find(all, design_settings.joint);
+  const Designer::Best best = designer.find(all, design_settings.joint, alone);
+  if (count == 1) alone.push_back(best.values);
   report.chosen = judge_push(space.box_at(best.values));
   report.binds = binding_words(space, best.values, report.chosen);
   report.scene = space.scene_at(best.values).text_at({}, {});
   for (std::size_t j = 0; j < count; ++j) {
     const DesignSpace::Choice& choice = space.choices()[j];
-    std::vector<bool> one(count, false);
-    one[j] = true;
-    const Designer::Best alone =
-        count == 1 ? best
-                   : designer.find(one, (1 - design_settings.joint) / static_cast<double>(count));
     const Parameter& first = choice.parameters[0];
     report.choices.push_back({choice.path,
                               choice.slopes.empty() ? parameter_label(first) : choice.path + ", m",
@@ -361,8 +381,8 @@ DesignReport find_design(const VariedScene& scene, const std::vector<std::string
                               choice.to,
                               choice.given,
                               best.values[j],
-                              alone.values[j],
-                              judge_push(space.box_at(alone.values)).margin,
+                              alone[j][j],
+                              judge_push(space.box_at(alone[j])).margin,
                               {},
                               {}});
     if (with_curves) designer.draw(best.values, j, report.choices.back());

@@ -74,7 +74,10 @@ DesignSpace::Choice DesignSpace::read_choice(const std::string& text) const {
       split_at(std::string_view(text).substr(std::min(equals + 1, text.size())), ':');
   if (ends.size() != 2) refuse(text, "write PATH=FROM:TO, such as wall.friction=0.2:0.6");
   Choice choice{std::string(trimmed(std::string_view(text).substr(0, equals))), 0, 0, 0, {}, {}};
+  const std::size_t dot = choice.path.rfind('.');
+  const bool is_width = dot != std::string::npos && choice.path.substr(dot) == ".width";
   const bool is_line = find_line(choice.path, choice);
+  if (is_width && !is_line) find_length(text, choice.path);
   const Parameter parameter = is_line ? choice.parameters.front() : scene_.find(choice.path);
   const auto typed = typed_ends(ends[0], ends[1], parameter.unit);
   for (const SiNumber& number : {typed.first, typed.second})
@@ -84,6 +87,7 @@ DesignSpace::Choice DesignSpace::read_choice(const std::string& text) const {
   if (!(choice.from < choice.to))
     refuse(text, "there is nothing to choose between " + shown(choice.from) + " and " +
                      shown(choice.to) + "; the smaller number comes first");
+  if (is_width && !(choice.from > 0)) refuse(text, "a width is larger than 0");
   if (is_line) return choice;
   if (parameter.whole || parameter.kind == Parameter::Kind::tangent_turn)
     refuse(text, "it is no place, size or strength: try each value with --set");
@@ -91,6 +95,19 @@ DesignSpace::Choice DesignSpace::read_choice(const std::string& text) const {
   choice.parameters = {parameter};
   if (parameter.kind == Parameter::Kind::number) choice.parameters = scene_.singles(choice.path);
   return choice;
+}
+
+/// "wall.width" of a body that has a length, or none that can be chosen.
+void DesignSpace::find_length(const std::string& text, std::string& path) const {
+  const std::string owner = path.substr(0, path.rfind('.'));
+  const std::vector<std::string> paths = scene_.paths();
+  const auto begins = [&](const std::string& one) { return one.rfind(owner + ".", 0) == 0; };
+  if (std::find(paths.begin(), paths.end(), owner + ".length") != paths.end())
+    path = owner + ".length";
+  else if (std::any_of(paths.begin(), paths.end(), begins))
+    refuse(text, owner +
+                     " is as wide as its face, or has no width: give it \"length\" in the scene "
+                     "to choose that");
 }
 
 /// "wall.width", or "wall.center[1]", of a line that is given by its ends.

@@ -50,6 +50,7 @@ private:
   std::vector<Uncertain> uncertain_;
 
   Choice read_choice(const std::string& text) const;
+  void find_length(const std::string& text, std::string& path) const;
   bool find_line(const std::string& path, Choice& choice) const;
 };
 

@@ -221,8 +221,21 @@ class Design(ToolTest):
         self.assertIn("Nothing sticks in these ranges; the nearest is wall.center[1] = 0.002, where the box turns about wall.1",
                       " ".join(nothing.stdout.split()))
 
+    def test_a_margin_of_all_that_is_not_known(self):
+        """Near 100 per cent masses and frictions are none, which no scene has."""
+        for choice, tolerance in (("*.radius=0.002:0.015", "object.mass=0.1:0.3"), ("wall.friction=0.1:0.9", "object.mass=50%")):
+            found = json_of("design", TIPS, "--choose", choice, "--tolerance", tolerance)
+            self.assertGreater(found["margin"], 0.999)
+
+    def test_a_choice_of_many_is_no_worse_than_one_of_them_alone(self):
+        for words in (("*.shift[0]=-0.02:0.02", "wall.angular_velocity[2]=-0.3:0.3"), ("wall.turn=-20:20", "wall.velocity[1]=-0.004:0.004")):
+            found = json_of("design", NARROW, *(part for word in words for part in ("--choose", word)))
+            self.assertGreaterEqual(found["margin"], max(one["margin"] for one in found["alone"]) * (1 - 1e-6), words)
+        self.assertGreater(json_of("design", NARROW, "--choose", "*.shift[0]=-0.02:0.02", "--choose",
+                                   "wall.angular_velocity[2]=-0.3:0.3")["margin"], 0.16)
+
     def test_mistakes(self):
-        for choice, said in (("wall.fricton=0.1:0.5", 'did you mean "wall.friction"'), ("wall.friction=0.5:0.1", "the smaller number comes first"),
+        for choice, said in (("wall.width=-0.02:0.01", "a width is larger than 0"), ("wall.fricton=0.1:0.5", 'did you mean "wall.friction"'), ("wall.friction=0.5:0.1", "the smaller number comes first"),
                              ("wall.friction=0.3:0.3", "nothing to choose"), ("wall.friction=0.3", "write PATH=FROM:TO"),
                              ("wall.friction=a:b", '"a" is not a number'), ("wall.friction=-1:0.5", "friction must be >= 0"),
                              ("wall.points=2:5", "no place, size or strength"), ("left.grip_force=10:30", "both jaws share one grip_force")):
@@ -230,6 +243,7 @@ class Design(ToolTest):
             self.assertEqual((refused.returncode, refused.stdout), (2, ""), choice)
             self.assertIn(said, " ".join(refused.stderr.split()))
         self.assertIn("says what may be chosen", run("design", NARROW).stderr)
+        self.assertIn("wall is as wide as its face", run("design", TIPS, "--choose", "wall.width=0.004:0.03").stderr)
         twice = run("design", NARROW, "--choose", "wall.center[1]=0:1", "--choose", "wall.ends[0][1]=0:1")
         self.assertIn("chosen twice", twice.stderr)
         point = run("design", SCENES / "straight_slide_point.toml", "--choose", "wall.friction=0.1:0.5")
