@@ -2,22 +2,28 @@
 #include "verify/settings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lcpush::desktop {
 namespace {
 
 /// All forces turned round, or friction alone, whose moments about the centre of mass are then not
-/// known.
+/// known. Normal forces press then: who gives forces on the bodies has them with either sign.
 ForeignAnswer turned(const SceneFile& file, ForeignAnswer answer, bool all) {
-  for (ForeignContact& contact : answer.contacts) {
-    if (all && contact.normal_force) contact.normal_force = -*contact.normal_force;
+  const auto press = [&](std::optional<double>& force, std::size_t body) {
+    if (all && force) force = file.bodies[body].bilateral ? -*force : std::abs(*force);
+  };
+  for (std::size_t i = 0; i < answer.contacts.size(); ++i) {
+    ForeignContact& contact = answer.contacts[i];
+    press(contact.normal_force, static_cast<std::size_t>(file.body_of(static_cast<Index>(i))));
     if (contact.friction_force) contact.friction_force = -*contact.friction_force;
     if (contact.torsion) contact.torsion = -*contact.torsion;
   }
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     ForeignBody& body = answer.bodies[b];
     const Vector3<double>& n = file.bodies[b].normal;
+    press(body.normal_force, b);
     if (body.force)
       body.force = all ? -*body.force : Vector3<double>(2 * n.dot(*body.force) * n - *body.force);
     if (body.moment && all) body.moment = -*body.moment;
@@ -109,13 +115,13 @@ std::vector<LikelyMistake> likely_mistakes(const SceneFile& file, const ForeignA
   std::vector<LikelyMistake> list;
   const std::string on_bodies =
       "these are forces on the bodies; forces on the object are asked for";
-  if (has_forces)
-    list.push_back({"With every force turned round", on_bodies, turned(file, given, true), true});
   if (has_friction(file, given)) {
     list.push_back(
         {"With every friction force turned round", on_bodies, turned(file, given, false), true});
     if (has_moments) list.back().beside = without_moments(given);
   }
+  if (has_forces)
+    list.push_back({"With every force turned round", on_bodies, turned(file, given, true), true});
   const auto add = [&](bool is_given, const std::string& undone, const std::string& because,
                        ForeignAnswer answer) {
     if (is_given) list.push_back({undone, because, std::move(answer), false});

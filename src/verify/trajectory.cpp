@@ -197,6 +197,19 @@ private:
     return nearest;
   }
 
+  /// With which a step to frame k begins. Places alone say the mean since the frame before, which
+  /// was half that interval ago: a step at the acceleration of its end is right from there if it is
+  /// as long; one that is not begins later by half of what it is shorter.
+  Vector6<double> velocity_before(std::size_t k) const {
+    const Vector6<double> velocity = velocity_at(given_, k - 1);
+    if (given_[k - 1].twist || k < 2) return velocity;
+    const double before = given_[k - 1].time - given_[k - 2].time;
+    const double h = given_[k].time - given_[k - 1].time;
+    if (std::abs(before - h) <= Settings::interval * h) return velocity;
+    const Vector6<double> next = mean_twist(given_[k - 1].pose, given_[k].pose, h);
+    return velocity + (before - h) / (before + h) * (next - velocity);
+  }
+
   /// From frame k - 1 to frame k, by the laws and as given.
   void step(std::size_t k) {
     const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
@@ -204,7 +217,7 @@ private:
     // Its speed, before it has moved; unless it is the scene's, which says one.
     const bool is_start = k == 1 && starts_as_scene(file_, from);
     const bool is_unknown = !from.twist && k == 1 && !is_start;
-    laws_.begin_at(k - 1, is_start ? file_.start : velocity_at(given_, k - 1));
+    laws_.begin_at(k - 1, is_start ? file_.start : velocity_before(k));
     if (is_unknown) { // where that leads is not judged
       bool is_halved = false;
       (void)laws_.advance(h, is_halved, Settings::part_halvings);
@@ -284,10 +297,14 @@ private:
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
 };
 
-/// m: the last digit of all places, a power of ten; 0: they have many.
+/// m: the last digit of all places, a power of ten; 0: they have many, or are all smaller.
 double last_digit(const std::vector<TrajectoryFrame>& frames) {
+  double farthest = 0;
+  for (const TrajectoryFrame& frame : frames)
+    farthest = std::max(farthest, frame.pose.position.cwiseAbs().maxCoeff());
   for (double digit = Settings::coarsest_digit; digit >= Settings::finest_digit;
        digit /= Settings::decade) {
+    if (farthest < digit / 2) continue;
     const auto has_more = [digit](const TrajectoryFrame& frame) {
       const Vector3<double> digits = frame.pose.position / digit;
       return (digits - digits.array().round().matrix()).cwiseAbs().maxCoeff() > Settings::rounded;

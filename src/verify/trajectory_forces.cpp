@@ -157,7 +157,11 @@ private:
     FrameContact said;
     said.normal_force = wrench.force->dot(all.normal);
     said.friction_force = *wrench.force - *said.normal_force * all.normal;
-    if (all.slip) said.torsion = 0;
+    const bool is_soft = file_.body(b).torsion_radius > 0; // one point: its torsion by the moment
+    if (is_soft && wrench.moment)
+      said.torsion = (*wrench.moment - cross<double>(all.position, *wrench.force)).dot(all.normal);
+    else if (!is_soft && all.slip)
+      said.torsion = 0;
     ForceUnits units = units_;
     units.point_force = std::max(units.point_force, force_size(said));
     for (WorstForce one : judge_point(file_, first, said, all, step_.h, units)) {

@@ -127,8 +127,11 @@ private:
 
   /// `given`: what is given, or with another motion.
   void complete(const ForeignAnswer& given) {
-    for (const double part : VerifySettings::moves) { // of the tolerance: slower is at rest
-      const double least = part * report_.tolerance;
+    // What is slower than a part of the tolerance is at rest, but for half of the push.
+    const double push = push_size(push_.scene()) / layout_.scales.acceleration;
+    const double slow = push > 0 ? push / 2 : 1;
+    for (const double part : VerifySettings::moves) {
+      const double least = std::min(part * report_.tolerance, slow);
       const Completion completion = AnswerCompleter(push_, own_, given, least, answer_).run();
       if (!completion.missing.empty())
         throw InputError(given_.file + ": what is given leaves the rest open; give also " +
@@ -309,7 +312,11 @@ VerifyReport verify_break(const SceneFile& file, const ForeignAnswer& given,
   report.tolerance = options.tolerance;
   report.own.status = own.status;
   report.verdict = Verdict::other_solution;
-  if (own.status != Status::solved) return report;
+  if (own.status != Status::solved)
+    throw InputError(given.file + ": a breaking force alone is judged beside lcpush's own, and " +
+                     (own.status == Status::does_not_hold
+                          ? "there is none: the object moves before it is pushed"
+                          : "it found none: see lcpush break"));
   const double lawful = own.breaking.break_force, size = std::abs(lawful) + own.scales.force;
   const auto off = [&](double force) { return std::abs(*given.break_force - force); };
   double least = off(lawful);

@@ -175,20 +175,18 @@ private:
   }
 };
 
-/// Where most of an actuator's load is missing, or a contact goes otherwise by most of the
+/// Where most of an actuator's load is missing, or a contact goes or slips otherwise by most of the
 /// prescribed motion, that is the unit: no tolerance allows it, however large the scene's other
 /// forces and accelerations are.
-Violation<double> beside_what_is_asked(const Scene<double>& scene, const Scales<double>& scales,
-                                       const Answer<double>& answer, Violation<double> row) {
-  const bool is_motion = (row.law == Law::normal || row.law == Law::pusher) && row.moves;
-  if (row.law != Law::grip && !is_motion) return row;
-  const double asked = is_motion ? push_size(scene) : std::abs(scene.actuators[row.of].force);
+Violation<double> beside_what_is_asked(const Scene<double>& scene, Violation<double> row) {
+  if (row.law != Law::grip && !row.moves) return row;
+  const double asked = row.moves ? push_size(scene) : std::abs(scene.actuators[row.of].force);
   const double off = row.scaled * row.unit;
   if (!(asked < row.unit) || !(std::abs(off) > asked / 2) || !(asked > 0)) return row;
-  row.unit = asked;
   row.scaled = off / asked;
-  if (row.law == Law::normal && off > 0) // it presses while it separates: the smaller of both
-    row.scaled = std::min(row.scaled, answer.contacts[row.of].normal_force / scales.force);
+  const bool excludes = row.law != Law::pusher && off > 0; // then the smaller of both
+  if (excludes) row.scaled = std::min(row.scaled, std::abs(row.excluded));
+  row.unit = row.scaled != 0 ? off / row.scaled : asked;
   return row;
 }
 
@@ -199,8 +197,7 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
   std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
   std::vector<bool> any(worst.size());
   check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& shown) {
-    const Violation<double> row =
-        beside_what_is_asked(push.scene(), push.layout().scales, answer, shown);
+    const Violation<double> row = beside_what_is_asked(push.scene(), shown);
     const auto law = static_cast<std::size_t>(row.law);
     if (!any[law] || is_worse(row.scaled, std::abs(worst[law].scaled))) worst[law] = row;
     any[law] = true;

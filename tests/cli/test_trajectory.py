@@ -145,6 +145,24 @@ class Trajectory(ToolTest):
         motion = self.file("m.csv", "\n".join(rows))
         return self.verdict(scene, motion)[0], run("verify", scene, "--trajectory", motion).stdout
 
+    def test_frames_at_uneven_times_need_no_velocities(self):
+        """The mean velocity since a frame is that of half an interval ago: of a longer one, of longer ago."""
+        thrown = SOURCE / "fixtures/canonical/thrown_up.toml"
+        rows = run("move", thrown, "--time", 0.35, "--frames", 36, "--format", "csv").stdout.splitlines()
+        rows = [row.split(",")[:13] for row in rows]
+        for left_out in ([7], [3, 4, 9], range(2, 30, 3)):
+            kept = [row for k, row in enumerate(rows) if k - 1 not in left_out]
+            for rise, verdict in ((0, "follows"), (3, "differs")):  # m/s^2, beside 9.81
+                made = [kept[0]] + [[t, x, str(float(y) + rise * float(t) ** 2 / 2), *more] for t, x, y, *more in kept[1:]]
+                report, code = self.verdict(thrown, self.file("m.csv", "\n".join(map(",".join, made))))
+                self.assertEqual((report["verdict"], code), (verdict, int(rise > 0)), (left_out, rise))
+
+    def test_a_turn_in_place_says_nothing_of_digits(self):
+        scene = SOURCE / "fixtures/canonical/spinning_disc.toml"
+        rows = run("move", scene, "--time", 0.3, "--step", 0.003, "--frames", 61, "--format", "csv").stdout.splitlines()
+        report, _ = self.verdict(scene, self.file("m.csv", "\n".join(",".join(row.split(",")[:13]) for row in rows)))
+        self.assertNotIn("digits", report["hint"] or "")
+
     def test_wrong_accelerations_add_up(self):
         right = 9.81 - 2 * 0.3 * 2 / 0.2
         for seconds, frames in ((0.06, 61), (0.06, 601), (0.05, 21)):

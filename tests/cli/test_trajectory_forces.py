@@ -251,6 +251,22 @@ class Forces(ToolTest):
                 of = self.laws(report)[law]["of"]
                 self.assertIn(of, ("left", "right"))
 
+    def test_a_soft_point_that_spins_says_its_force_alone(self):
+        """Its torsion takes up the ellipsoid: by its moment if that is said, else its friction is not judged."""
+        for scene in (SOURCE / "fixtures/canonical/soft_spin_down.toml", SCENES / "soft_fingers.toml"):
+            frames = self.frames(scene, "--time", 0.05, "--step", 0.001, "--frames", 51)
+            for change, law in ((lambda b: None, None), (lambda b: b.pop("moment"), None),
+                                (lambda b: b.update(moment=[0.5 * m for m in b["moment"]]), "dissipation")):
+                made = json.loads(json.dumps(frames))
+                for frame in made:
+                    frame.pop("contacts")
+                    for body in frame.get("bodies", []):
+                        if body["name"] in ("left", "right") and "moment" in body:
+                            change(body)
+                report = self.verdict(scene, made)
+                broken = report["forces"]["broken"]
+                self.assertTrue(broken == law or (law and broken), (scene.stem, law, broken))
+
     def test_what_is_left_out_is_not_judged(self):
         frames = self.frames(PIVOT, "--time", 0.2, *EACH_STEP[:2], "--frames", 41)
 
