@@ -79,9 +79,12 @@ TEST_CASE("[T.7] a round's pressure is the next one's preload; what it changed i
   memory.z[assembly.cones()[8].variable] = 3; // the pusher gives way to nothing
   memory.preload[8] = 100;
 
-  CHECK(lcpush::detail::pad_violation(assembly, memory) == doctest::Approx(0.01 * 4 * 0.04));
   CHECK(lcpush::detail::largest_normal(assembly, memory) == 3);
-  lcpush::detail::take_pressure(assembly, memory);
+  bool changes = true, slides = true;
+  const double violation = lcpush::detail::take_pressure(assembly, memory, changes, slides);
+  CHECK(violation == doctest::Approx(0.01 * 4 * 0.04));
+  CHECK_FALSE(changes);
+  CHECK_FALSE(slides);
   for (Index i = 0; i < 8; ++i) CHECK(memory.preload[i] == doctest::Approx(0.25 + changes[i]));
   CHECK(memory.preload[8] == 3);
 }

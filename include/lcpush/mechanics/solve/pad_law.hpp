@@ -77,42 +77,24 @@ void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S ep
 
 namespace detail {
 
-/// By how much the round's answer violates the literal [T.2].
-template <class S> S pad_violation(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+/// The pressure becomes the next round's preload. Returns by how much the round's answer violates
+/// the literal [T.2]. `changes`: a point presses that did not in the round before, or the other way
+/// round; `slides`: a point slips.
+template <class S>
+S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, bool& changes,
+                bool& slides) {
   S violation(0);
+  changes = slides = false;
   for (Index i = 0; i < assembly.layout().points; ++i) {
-    const ConeGroup<S>& cone = assembly.cones()[i];
-    const S lambda = cone.normal_force(memory.z.data);
-    const S change = cone.compliance * (lambda - memory.preload[i]);
-    violation = Eigen::numext::maxi(violation, Eigen::numext::abs(change));
+    const ConeGroup<S>& cone = assembly.layout().cones[i];
+    const S lambda = cone.normal_force(memory.z.data), last = memory.preload[i];
+    memory.preload[i] = lambda;
+    const S change = cone.compliance * (lambda - last);
+    violation = Eigen::numext::maxi(violation, S(Eigen::numext::abs(change)));
+    if ((lambda > S(0)) != (last > S(0))) changes = true;
+    if (cone.generators > 0 && memory.z[cone.slip()] > Tolerances<S>().settled) slides = true;
   }
   return violation;
-}
-
-/// Does a point of a pad press that did not in the round before, or the other way round?
-template <class S>
-bool touches_otherwise(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
-  for (Index i = 0; i < assembly.layout().points; ++i) {
-    const bool presses = assembly.cones()[i].normal_force(memory.z.data) > S(0);
-    if (memory.compliance[i] > S(0) && presses != (memory.preload[i] > S(0))) return true;
-  }
-  return false;
-}
-
-/// Does a point slip?
-template <class S> bool slides(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
-  const Layout<S>& layout = assembly.layout();
-  for (Index i = 0; i < layout.points; ++i)
-    if (layout.cones[i].generators > 0 && memory.z[layout.slip_index(i)] > Tolerances<S>().settled)
-      return true;
-  return false;
-}
-
-/// The pressure becomes the next round's preload.
-template <class S>
-void take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
-  for (Index i = 0; i < assembly.layout().points; ++i)
-    memory.preload[i] = assembly.cones()[i].normal_force(memory.z.data);
 }
 
 /// The largest normal force of the last answer.

@@ -116,22 +116,15 @@ private:
   void begin_pressure() {
     pad_preload(assembly_, memory_);
     is_first_ = true;
-    has_changed_ = false;
   }
   /// A pressure that is affine over what touches [T.7] only stays so while the same points touch.
   /// Where some have parted on the way, and pressed again, the rounds begin anew at the compliance
-  /// and with the contacts they have come to, unless that has taken too long already. What sticks
-  /// everywhere does not move by how the pressure is shared.
-  bool retraces() {
-    if (!has_changed_ || options_.goes_on || retraces_ >= PadSettings::retraces) return false;
-    if (!detail::slides(assembly_, memory_)) return false;
-    if (retraces_++ == 0) most_pivots_ = PadSettings::retrace_pivots * run_.pivots;
-    return run_.pivots <= most_pivots_;
-  }
+  /// and with the contacts they have come to. What sticks everywhere does not move by how the
+  /// pressure is shared: nothing is gained.
+  bool retraces() { return has_changed_ && ++retraces_ <= PadSettings::retraces; }
   Status retrace() {
     begin_pressure();
-    warm_ = true;
-    return begin_round();
+    return next_round();
   }
   Status begin_round() {
     ++run_.rounds;
@@ -152,15 +145,15 @@ private:
     if (status != Status::solved && warm_ && !restarted_)
       return schedule_.fall_slower() ? next_round() : restart();
     if (status != Status::solved) return end_pads(status);
-    const S violation = detail::pad_violation(assembly_, memory_);
-    has_changed_ = has_changed_ || (!is_first_ && detail::touches_otherwise(assembly_, memory_));
+    bool changes, slides;
+    const S violation = detail::take_pressure(assembly_, memory_, changes, slides);
+    has_changed_ = !is_first_ && (has_changed_ || changes);
     is_first_ = false;
-    detail::take_pressure(assembly_, memory_);
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
     if (is_pressed && is_settled && !refines(violation))
-      return retraces() ? retrace() : Status::solved;
+      return slides && retraces() ? retrace() : Status::solved;
     if (!is_settled && !may_turn()) return unsettled();
     turn(); // settled ones too: corners hold what the next pressure changes
     if (forces_over_load() > runaway_) return end_pads(Status::numerical_breakdown);
@@ -177,11 +170,6 @@ private:
   }
   /// The pads have failed.
   Status end_pads(Status status) {
-    if (retraces_ > 0 && retraces_ <= PadSettings::retraces) { // as they were
-      retraces_ = PadSettings::retraces + 1;
-      if (!options_.keeps_cones) friction_.begin();
-      return begin_pads(Phase::soft_pads);
-    }
     if (phase_ == Phase::soft_pads && status == Status::bad_input) return status;
     if (phase_ == Phase::soft_pads || stiff_starts_ < PadSettings::stiff_starts)
       return begin_literal();

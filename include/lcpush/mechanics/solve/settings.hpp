@@ -19,10 +19,9 @@ struct PadSettings {
   static constexpr Index stiff_starts = 2; ///< from the literal basis, if those from nothing fail
   /// The first compliance of each, beside the one before.
   template <class S> static constexpr S stiff_start() { return S(1) / S(100); }
-  /// Rounds begin anew so often, and while no more than so many times the pivots are spent that the
-  /// first ones took. Of 900 boxes dragged over four points, 29 went otherwise by more than 1e-3
-  /// where the scene was turned; after one such start 2, after three none.
-  static constexpr Index retraces = 3, retrace_pivots = 3;
+  /// Rounds begin anew so often. Of 900 boxes dragged over four points, 29 went otherwise by more
+  /// than 1e-3 where the scene was turned; after one such start 2, after three none.
+  static constexpr Index retraces = 3;
   /// A squeeze that rounds only tighten: a normal force beyond this, in what the scene's forces and
   /// prescribed motions ask for.
   static constexpr int runaway = 1000;
