@@ -110,14 +110,19 @@ std::string others_sentences(const SceneFile& file, const PushReport& report) {
   const bool motion = report.unique_motion == Uniqueness::no;
   std::string text = mirror_sentence(file, report);
   if (motion || report.unique_wrench == Uniqueness::no) {
-    const std::string what = motion ? "motion" : "push";
     const double push = total_push(file, report);
     const double other = report.other ? report.other->wrench.head<3>().norm() : push;
-    text += "The " + what + " is not unique: ";
     const bool may_rest = motion && report.other && report.other->acceleration.isZero(0);
+    const bool is_told =
+        !may_rest && std::abs(other - push) > word_settings.other_force * report.scales.force;
+    text += std::string("The ") +
+            (!motion   ? "push"
+             : is_told ? "answer"
+                       : "motion") +
+            " is not unique: ";
     if (may_rest)
       text += "bodies that stand still may also squeeze it, and hold it.\n";
-    else if (std::abs(other - push) > word_settings.other_force * report.scales.force)
+    else if (is_told)
       text += both_answers(file, push, other, report.is_friction_open) + "\n";
     else
       text += motion ? "the paper's laws leave it open.\n"

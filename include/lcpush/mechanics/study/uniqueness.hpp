@@ -62,8 +62,8 @@ bool same_motion(const Outcome<S>& a, const Outcome<S>& b, const Scales<S>& scal
                  S tolerance) {
   const S motion = motion_size(a.acceleration, scales);
   const S size = Eigen::numext::maxi(motion, S(push / scales.acceleration));
-  const S rounding = S(1024) * Eigen::NumTraits<S>::epsilon();
-  return motion_size<S>(a.acceleration - b.acceleration, scales) <= tolerance * size + rounding;
+  const S left = Tolerances<S>().residual; // by checked answers, of what rests
+  return motion_size<S>(a.acceleration - b.acceleration, scales) <= tolerance * size + left;
 }
 
 template <class S>
