@@ -69,10 +69,18 @@ private:
     found.status = report.status;
     if (found.status != Status::solved) return found;
     found.sticks = found.breaks = report.breaking.breaks;
-    for (const Index i : points_of(file.body(pusher_)))
-      found.sticks = found.sticks && push.last_answer().contacts[i].mode == Mode::stick;
-    for (Index i = 0; i < static_cast<Index>(file.points.size()); ++i)
-      found.modes.push_back(push.last_answer().contacts[i].mode);
+    for (const ContactAnswer<double>& contact : push.last_answer().contacts)
+      found.modes.push_back(contact.mode);
+    const Body<double>& pusher = file.body(pusher_);
+    for (const Index i : points_of(pusher)) {
+      const ContactAnswer<double>& contact = push.last_answer().contacts[i];
+      const Vector3<double> slip =
+          contact.acceleration - contact.acceleration.dot(pusher.normal) * pusher.normal;
+      Mode& mode = found.modes[static_cast<std::size_t>(i)];
+      const bool creeps = slip.norm() <= cone_settings.creeps * report.breaking.small_push;
+      if (mode == Mode::slide && creeps) mode = Mode::stick;
+      found.sticks = found.sticks && mode == Mode::stick;
+    }
     found.there = {report.breaking.twist, report.breaking.force};
     stay_in_plane(push.scene(), found.there.wrench); // what keeps it there is no balance's
     return found;

@@ -33,6 +33,8 @@ struct ConeSettings {
   /// goes, and from how far inside a piece its end is seen. Not measured.
   int samples = 48;
   double sampled_to = 1e-9, inside = 1e-9;
+  /// Of the push: a slower slip of a pusher is none. The rounds of pads leave 6e-8 of it.
+  double creeps = 1e-6;
   /// What is sampled is not told of pieces narrower than this part of the range: between two
   /// answers the rounds of a law end on one side or the other. Not measured.
   double sliver = 1e-3;

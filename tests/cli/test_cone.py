@@ -6,7 +6,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from tool import SOURCE, command, json_of, main, unwrapped
-from scene_tables import without
+from scene_tables import finger, pusher, table, without
 
 run = command("cone")
 SQUARE = SOURCE / "docs/guide/square.toml"
@@ -223,7 +223,16 @@ class Cone(unittest.TestCase):
         told = run("-", *vary, text=bar).stdout
         self.assertEqual(told.count("noise"), len(slivers))
         self.assertIn("edge sticks for edge.velocity[1] of -0.01 to 0.01 m/s.", told)
-        self.assertIn("4 points of edge", told)
+
+    def test_what_pads_leave_of_a_slip_is_none(self):
+        """A point that pushes with half the friction it has sticks all along, whatever the rounds leave of a motion."""
+        pads = {"shape": "disc", "radius": 0.008766369254305406, "points": 6, "friction": 0.5489217078360649, "grip_force": 21.795447824321013}
+        text = (table("", gravity=[0, -9.81, 0]) + table("[object]", mass=1, box=[0.1, 0.05010378401210819, 0.06607844116497395]) +
+                finger("a", on="+z", **pads) + finger("b", on="-z", **pads) +
+                pusher("w", "point", center=[-0.05, 0.016994527147349284, 0], normal=[1, 0, 0], friction=0.6793166147014473,
+                       acceleration=[0.5, 0, 0]))
+        found = self.answer("--vary", "w.acceleration[1]=-0.6:0.6", text=text)
+        self.assertEqual([(one["from"], one["to"], one["sticks"]) for one in found["ranges"]], [(-0.6, 0.6, True)])
 
     def test_what_a_scene_in_space_is_told_to_cut_cuts_it(self):
         for text, key in ((square(), "velocity"), (square().replace("velocity", "acceleration"), "acceleration")):
