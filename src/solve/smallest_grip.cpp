@@ -2,6 +2,7 @@
 #include "solve/grip_search.hpp"
 #include "solve/grip_statics.hpp"
 #include "solve/rest_verdict.hpp"
+#include "solve/self_stress.hpp"
 #include "text/limits.hpp"
 
 #include <cmath>
@@ -27,15 +28,22 @@ SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Counting
   if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;
   std::optional<double> bound = 0;
   double unit = 0;
+  bool is_statics = false; // laws that leave forces open hold what statics can
   if (file.hand == Hand::locked) {
     unit = load_over_preload(file); // statics lets locked fingers squeeze with any force
   } else {
     const GripStatics statics(file);
     unit = statics.unit();
     bound = least_factor(statics);
+    is_statics = !statics.has_pads() && !is_squeezed(file, statics);
   }
   if (bound && std::isfinite(*bound)) {
-    grip = search_upwards(*bound, unit, known, precision, work, holds);
+    if (is_statics) {
+      grip.bound = grip.factor = grip.certain = *bound;
+      grip.source = GripSource::statics;
+    } else {
+      grip = search_upwards(*bound, unit, known, precision, work, holds);
+    }
     const bool holds_now = known > 0;
     if (!holds_now && grip.factor > 0 && !work.is_used_up())
       grip.more = !holds(1.01 * grip.factor) ? MoreGrip::drops
