@@ -62,7 +62,7 @@ public:
     check_table();
     check_load();
     if (file_.planar) check_plane();
-    if (file_.planar) check_across();
+    check_across();
     if (doubts_.empty()) check_sides();
     if (file_.lines.all_on_faces && !file_.object.center_of_mass.isZero(0))
       doubt(
@@ -279,25 +279,32 @@ private:
               " presses and nothing presses against it; a jaw is two fingers on opposite faces");
   }
 
-  /// Fingers that press across a plane, where no balance is asked for: do they meet each other?
+  /// Fingers that press from both sides, across a plane or along their normals: as hard as each
+  /// other, if nothing else meets the rest?
   void check_across() {
+    const std::vector<Index> alone = bodies_closed_alone();
+    if (alone.size() < 2 || alone.size() != file_.drives.size()) return;
+    Vector3<double> across = file_.body(alone[0]).normal;
+    if (file_.planar) across = Vector3<double>::UnitZ();
     double left = 0, most = 0;
     for (const Drive<double>& drive : file_.drives) {
       const double force = file_.actuators[static_cast<std::size_t>(drive.actuator)].force;
-      left += force * file_.body(drive.body).normal.z();
+      const double along = file_.body(drive.body).normal.dot(across);
+      if (!file_.planar && std::abs(along) < 1 - typed_slack) return;
+      left += force * along;
       most = std::max(most, force);
     }
-    const std::vector<Index> alone = bodies_closed_alone();
-    bool is_met = false;
+    const double load = laws::load(file_.view(), {1.0, 1.0, 1.0}).head<3>().dot(across);
+    bool is_met = !file_.planar && load * left < -typed_slack * most * std::abs(left);
     for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)
-      is_met = is_met || (file_.body(b).normal.z() * left < 0 && !is_driven(file_.view(), b));
-    if (alone.size() < 2 || alone.size() != file_.drives.size() || is_met ||
-        !(std::abs(left) > typed_slack * most))
-      return;
+      is_met =
+          is_met || ((file_.body(b).normal.dot(across) * left < 0 || file_.body(b).bilateral) &&
+                     !is_driven(file_.view(), b));
+    if (is_met || !(std::abs(left) > typed_slack * most)) return;
     doubt(Doubt::unopposed, file_.lines.bodies[static_cast<std::size_t>(alone.back())].normal,
           "the fingers press with " + shown(std::abs(left)) +
-              " N more to one side of the plane than to the other, and nothing meets that; a "
-              "parallel jaw has the same grip_force on opposite faces");
+              " N more one way than the other, and nothing meets that; a parallel jaw has the same "
+              "grip_force on opposite faces");
   }
 
   bool is_flat_below(const Vector3<double>& up) const {
