@@ -34,6 +34,7 @@ struct ContactSettings {
   static constexpr double settled = 1e-14; ///< of the largest force
   static constexpr double equality = 1e-2; ///< delta of the multipliers, whose columns are near 1
   static constexpr double turned = 1e-2;   ///< of the residual: so little shows what was mistaken
+  static constexpr double thousand = 1e3;  ///< kN and mN, and impulses of a millisecond
   static constexpr double along_slip =
       0.1; ///< rad: friction so near to the slip has the wrong sign
   /// Of the largest normal force where nothing holds: less is none. What is left of its velocities,
