@@ -52,11 +52,9 @@ void ShellListener::announce(const std::string& sentence) {
 
 Index ShellListener::choose_row(const desktop::PivotTrace& trace) { return ask_for_row(trace); }
 
-void ShellListener::progressed(Index unknowns, Index covers) {
+void ShellListener::progressed(Index, Index) {
   ++pivots_;
-  if (is_due())
-    show(std::to_string(pivots_) + " pivots, " + std::to_string(unknowns) + " unknowns, cover " +
-         std::to_string(covers));
+  if (is_due()) show("still at work, " + std::to_string(pivots_) + " pivots");
 }
 
 void ShellListener::swept(Index sweep, const double*, double residual) {

@@ -145,9 +145,11 @@ std::string limit_cell(const HoldLimit& limit) {
 
 /// Is a limit not known that statics bounds?
 bool has_unknown(const HoldStudy& study) {
-  return std::any_of(study.limits.begin(), study.limits.end(), [](const HoldLimit& limit) {
+  const auto is_unknown = [](const HoldLimit& limit) {
     return std::isnan(limit.limit) && std::isfinite(limit.statics);
-  });
+  };
+  return std::any_of(study.limits.begin(), study.limits.end(), is_unknown) ||
+         std::any_of(study.weakest.begin(), study.weakest.end(), is_unknown);
 }
 
 TableRows limit_rows(const HoldStudy& study) {
@@ -297,7 +299,8 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& given) {
   for (const Disturbance kind : {Disturbance::moment, Disturbance::force})
     if (const HoldLimit& free = study.weakest[static_cast<std::size_t>(kind)]; free.limit == 0) {
       text += "; nothing resists " + against(free);
-      beside = ", and the weakest else is ";
+      beside = has_unknown(study) ? ", and of what is known the weakest else is "
+                                  : ", and the weakest else is ";
     }
   if (least == nullptr) return text + ".";
   return text + beside + against_weakest(study, *least) + ": " + brief(least->limit) + " " +
