@@ -34,7 +34,7 @@ struct ConeSettings {
   int samples = 48;
   double sampled_to = 1e-9, inside = 1e-9;
   /// Of the push: a slower slip of a pusher is none. The rounds of pads leave 6e-8 of it.
-  double creeps = 1e-6;
+  double creeps = 2e-7;
   /// What is sampled is not told of pieces narrower than this part of the range: between two
   /// answers the rounds of a law end on one side or the other. Not measured.
   double sliver = 1e-3;
