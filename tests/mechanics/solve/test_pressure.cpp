@@ -80,10 +80,10 @@ TEST_CASE("[T.7] a round's pressure is the next one's preload; what it changed i
   memory.preload[8] = 100;
 
   CHECK(lcpush::detail::largest_normal(assembly, memory) == 3);
-  bool changes = true, slides = true;
-  const double violation = lcpush::detail::take_pressure(assembly, memory, changes, slides);
+  bool differs = true, slides = true;
+  const double violation = lcpush::detail::take_pressure(assembly, memory, differs, slides);
   CHECK(violation == doctest::Approx(0.01 * 4 * 0.04));
-  CHECK_FALSE(changes);
+  CHECK_FALSE(differs);
   CHECK_FALSE(slides);
   for (Index i = 0; i < 8; ++i) CHECK(memory.preload[i] == doctest::Approx(0.25 + changes[i]));
   CHECK(memory.preload[8] == 3);
