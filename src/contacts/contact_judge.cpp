@@ -121,14 +121,14 @@ std::string contact_hint(const ContactProblem& p, const ContactForces& answer) {
   const auto holds = [&](const ContactProblem& problem, const VectorXd& r) {
     return worst(judge_contacts(problem, r, answer.tolerance)) <= answer.tolerance;
   };
+  if (holds(other, *other.r)) return "With --normal " + order + " the laws hold.";
+  if (holds(p, *other.r))
+    return "The laws hold where the forces alone have the normal " + order + ".";
   for (const auto& [factor, text] : {std::pair(ContactSettings::thousand, "times 1000"),
                                      std::pair(1 / ContactSettings::thousand, "divided by 1000")})
     if (fits(p, factor * answer.r))
       return std::string("With every force ") + text +
              " the laws hold: another unit, or impulses of steps of a millisecond?";
-  if (holds(other, *other.r)) return "With --normal " + order + " the laws hold.";
-  if (holds(p, *other.r))
-    return "The laws hold where the forces alone have the normal " + order + ".";
   return "";
 }
 

@@ -3,6 +3,7 @@
 #include "verify/settings.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace lcpush::desktop {
 namespace {
@@ -175,17 +176,31 @@ private:
   }
 };
 
+/// What excludes the motion of such a row, over F: the force that presses, what the cone has left,
+/// or the friction that does not oppose the slip.
+double excluded(const Scene<double>& scene, const Scales<double>& scales,
+                const Answer<double>& answer, const Violation<double>& row) {
+  const ContactAnswer<double>& contact = answer.contacts[row.of];
+  const Body<double>& body = scene.bodies[contact.body];
+  const double friction = contact.friction_force.norm(), normal = contact.normal_force;
+  if (row.law == Law::normal && body.bilateral) return std::numeric_limits<double>::infinity();
+  if (row.law == Law::normal) return std::abs(normal) / scales.force;
+  return (row.law == Law::cone ? std::abs(body.friction * std::abs(normal) - friction) : friction) /
+         scales.force;
+}
+
 /// Where most of an actuator's load is missing, or a contact goes or slips otherwise by most of the
 /// prescribed motion, that is the unit: no tolerance allows it, however large the scene's other
 /// forces and accelerations are.
-Violation<double> beside_what_is_asked(const Scene<double>& scene, Violation<double> row) {
+Violation<double> beside_what_is_asked(const Scene<double>& scene, const Scales<double>& scales,
+                                       const Answer<double>& answer, Violation<double> row) {
   if (row.law != Law::grip && !row.moves) return row;
   const double asked = row.moves ? push_size(scene) : std::abs(scene.actuators[row.of].force);
   const double off = row.scaled * row.unit;
   if (!(asked < row.unit) || !(std::abs(off) > asked / 2) || !(asked > 0)) return row;
   row.scaled = off / asked;
   const bool excludes = row.law != Law::pusher && off > 0; // then the smaller of both
-  if (excludes) row.scaled = std::min(row.scaled, std::abs(row.excluded));
+  if (excludes) row.scaled = std::min(row.scaled, excluded(scene, scales, answer, row));
   row.unit = row.scaled != 0 ? off / row.scaled : asked;
   return row;
 }
@@ -197,7 +212,8 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
   std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
   std::vector<bool> any(worst.size());
   check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& shown) {
-    const Violation<double> row = beside_what_is_asked(push.scene(), shown);
+    const Violation<double> row =
+        beside_what_is_asked(push.scene(), push.layout().scales, answer, shown);
     const auto law = static_cast<std::size_t>(row.law);
     if (!any[law] || is_worse(row.scaled, std::abs(worst[law].scaled))) worst[law] = row;
     any[law] = true;

@@ -40,7 +40,6 @@ template <class S> struct Violation {
   S unit{1};   ///< SI value = scaled times this: N, N m, m/s^2 or the actuator's
   S common{1}; ///< what the scene's largest force makes of the same unit: unit <= common
   bool moves = false; ///< of a force and an acceleration that exclude each other, the latter
-  S excluded{0};      ///< of such a pair the other, scaled; highest: it may be anything
 };
 
 /// The largest scaled violation of each law. A row is measured by the sum of its own |terms|, plus
@@ -110,8 +109,8 @@ template <class S, class Visit> struct LawRows {
     force /= force_unit;
     motion /= motion_unit;
     const bool is_force = !(motion < force) && motion == motion;
-    if (is_force) return {law, of, part, force, force_unit, scales.force, false, motion};
-    return {law, of, part, motion, motion_unit, motion_scale, true, force};
+    if (is_force) return {law, of, part, force, force_unit, scales.force};
+    return {law, of, part, motion, motion_unit, motion_scale, true};
   }
 
   /// The body whose points come next.
@@ -199,7 +198,7 @@ template <class S, class Visit> struct LawRows {
     Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening, size);
     if (body.bilateral) {
       const S own = row_unit_of(size, unit);
-      normal = {Law::normal, i, -1, opening / own, own, unit, true, Eigen::NumTraits<S>::highest()};
+      normal = {Law::normal, i, -1, opening / own, own, unit, true};
     }
     visit(normal);
     if (body.role == Role::pusher &&
