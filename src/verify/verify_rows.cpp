@@ -176,17 +176,33 @@ private:
   }
 };
 
-/// What excludes the motion of such a row, over F: the force that presses, what the cone has left,
-/// or the friction that does not oppose the slip.
+/// The generator's share of a row of a pyramid.
+double generator_force(const Scene<double>& scene, const Answer<double>& answer,
+                       const Violation<double>& row) {
+  Index entry = row.part;
+  for (const Body<double>& body : scene.bodies)
+    for (const Index i : points_of(body))
+      if (i < row.of) entry += generator_count(scene, body);
+  return answer.friction[entry];
+}
+
+/// What excludes the motion of such a row, over its body's forces: the force that presses, what the
+/// cone has left, or the friction that does not oppose the slip.
 double excluded(const Scene<double>& scene, const Scales<double>& scales,
                 const Answer<double>& answer, const Violation<double>& row) {
   const ContactAnswer<double>& contact = answer.contacts[row.of];
   const Body<double>& body = scene.bodies[contact.body];
-  const double friction = contact.friction_force.norm(), normal = contact.normal_force;
+  const double friction = contact.friction_force.norm(), normal = std::abs(contact.normal_force);
   if (row.law == Law::normal && body.bilateral) return std::numeric_limits<double>::infinity();
-  if (row.law == Law::normal) return std::abs(normal) / scales.force;
-  return (row.law == Law::cone ? std::abs(body.friction * std::abs(normal) - friction) : friction) /
-         scales.force;
+  const double force = row.law == Law::normal ? normal
+                       : row.law == Law::cone ? body.friction * normal - friction
+                       : row.part >= 0        ? generator_force(scene, answer, row)
+                                              : friction;
+  double pressing = Tolerances<double>().noise * scales.force;
+  for (const Index i : points_of(body))
+    pressing +=
+        std::abs(answer.contacts[i].normal_force) + answer.contacts[i].friction_force.norm();
+  return std::abs(force) / std::min(pressing, scales.force);
 }
 
 /// Where most of an actuator's load is missing, or a contact goes or slips otherwise by most of the
