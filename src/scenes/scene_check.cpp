@@ -287,13 +287,16 @@ private:
     Vector3<double> across = file_.body(alone[0]).normal;
     if (file_.planar) across = Vector3<double>::UnitZ();
     double left = 0, most = 0;
+    bool is_jaw = file_.planar; // in space of what closes along its normal, from both sides
     for (const Drive<double>& drive : file_.drives) {
       const double force = file_.actuators[static_cast<std::size_t>(drive.actuator)].force;
       const double along = file_.body(drive.body).normal.dot(across);
       if (!file_.planar && std::abs(along) < 1 - typed_slack) return;
+      is_jaw = is_jaw || (along < 0 && file_.hand == Hand::independent);
       left += force * along;
       most = std::max(most, force);
     }
+    if (!is_jaw) return;
     const double load = laws::load(file_.view(), {1.0, 1.0, 1.0}).head<3>().dot(across);
     bool is_met = !file_.planar && load * left < -typed_slack * most * std::abs(left);
     for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)

@@ -221,6 +221,7 @@ TEST_CASE("a finger that nothing meets, and a table that ends where the object d
   const std::string both = with(flat, "planar = true", "planar = false");
   CHECK(codes(both + right("25", "-z")) == Codes{});
   CHECK(codes(both + right("25", "+z")) == Codes{"unopposed"});
+  CHECK(codes(both + right("20", "-z")) == Codes{"unopposed"});
   const std::string table = object + finger("table", "shape = \"rectangle\"\nsize = [0.12, 0.014]\n"
                                                      "on = \"-y\"\n");
   CHECK(codes(table + push) == Codes{"small_table"});
