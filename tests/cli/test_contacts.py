@@ -82,6 +82,14 @@ class Contacts(ToolTest):
             self.assertLessEqual(worst, 1e-12, k)
             self.assertLessEqual(angle, 1e-6, k)
 
+    def test_forces_in_thousandths_are_told(self):
+        """Of a block that slides: impulses of a millisecond, which no order of axes mends."""
+        for factor, said in ((1e-3, "times 1000"), (1e3, "divided by 1000")):
+            slid = {"W": [[0.5, 0, 0], [0, 0.5, 0], [0, 0, 0.5]], "g": [-8.49546, 4.905, 0], "mu": [0.3],
+                    "r": [16.99092 * factor, -5.097276 * factor, 0]}
+            hint = json_of("contacts", self.written(slid), "--tolerance", "1e-4")["hint"]
+            self.assertIn(f"With every force {said} the laws hold", hint)
+
     def test_refused_forces_are_told_what_is_wrong(self):
         slides = {"W": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "b": [0.5, 0, -1], "mu": 0.5, "normal": "last"}
         self.assertEqual([round(x, 9) for x in json_of("contacts", self.written(slides))["r"]], [-0.5, 0, 1])
