@@ -99,6 +99,16 @@ class Holding(ToolTest):
         self.assertAlmostEqual(answer["smallest_grip"], 0.2 * 9.81 / (2 * 0.5), 12)
         self.assertEqual(answer["smallest_grip_from"], "statics")
 
+    def test_a_bilateral_pusher_pulls_the_grasp_apart(self):
+        """It pulls with what the pads bear, as a wall pushes."""
+        text = (SCENES / "straight_slide_point.toml").read_text().replace("[[pusher]]", '[[pusher]]\nfollow = "bilateral"')
+        for along, force in ((0.1, 19.9), (-0.1, -19.9)):
+            path = self.file("cup.toml", text.replace("acceleration = [0.1, 0, 0]", f"acceleration = [{along}, 0, 0]"))
+            found = json_of("break", path)
+            self.assertEqual((found["status"], found["breaks"]), ("solved", True))
+            self.assertAlmostEqual(found["break_force"], force, delta=0.05)
+            self.assertEqual("a pull of 19.9 N by wall" in unwrapped(run("break", path).stdout), along < 0)
+
     def test_a_pusher_that_keeps_its_force_is_a_load(self):
         jack = pusher("jack", "point", center=[0, -0.015, 0], normal=[0, 1, 0], friction=0, normal_force=15)
         text = scene(pinch(), jack) + "normal_force = 1e-6\n"  # of the rod, which rubs along the box from below
