@@ -3,7 +3,9 @@
 #include "support/random_grasp.hpp"
 #include "support/seeds.hpp"
 
+#include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "lcpush/mechanics/study/holding.hpp"
 
 using namespace lcpush;
 using namespace lcpush::test;
@@ -103,10 +105,25 @@ bool holds(desktop::SceneFile file, double factor) {
   return at.status == Status::solved && at.holds;
 }
 
+/// The least factor of the devices' program, which has another solver and other columns.
+double devices_factor(desktop::SceneFile file) {
+  // Any pressure will do, which the program cannot see where pads' normals depend on each other.
+  if (file.pressure == Pressure::pad) file.pressure = Pressure::rigid;
+  const desktop::AssembledScene assembled(file.view());
+  std::vector<unsigned char> bytes(
+      static_cast<std::size_t>(holding_bytes<double>(assembled.scene.actuators.size)));
+  Holding<double> holding(assembled.assembly, {bytes.data(), static_cast<Index>(bytes.size())});
+  const Held<double> held = holding.least_grip(1000);
+  REQUIRE(held.status == Status::solved);
+  return held.value;
+}
+
 } // namespace
 
+// Where laws leave forces open, the one that Lemke's pivots come to may fall though others hold:
+// with a little more, forces that hold exist, which the devices' program finds.
 TEST_CASE("[T.12] a little less than the smallest grip does not hold, a little more does") {
-  int known = 0, searched = 0;
+  int known = 0, searched = 0, of_statics = 0;
   for (std::uint64_t seed = 800; seed < 800 + seeds(400); ++seed) {
     CAPTURE(seed);
     const desktop::SceneFile file = desktop::parse_scene(scene(seed), "test.toml");
@@ -123,8 +140,14 @@ TEST_CASE("[T.12] a little less than the smallest grip does not hold, a little m
       CAPTURE(part);
       CHECK_FALSE(holds(file, part * grip.factor));
     }
-    CHECK(holds(file, (1 + 2e-6) * grip.factor));
+    if (grip.source == desktop::GripSource::statics) {
+      ++of_statics;
+      CHECK(devices_factor(file) == doctest::Approx(grip.factor).epsilon(1e-9));
+    } else {
+      CHECK(holds(file, (1 + 2e-6) * grip.factor));
+    }
   }
   CHECK(known >= static_cast<int>(seeds(250)));
-  CHECK(searched >= static_cast<int>(seeds(50)));
+  CHECK(searched >= static_cast<int>(seeds(15)));
+  CHECK(of_statics >= static_cast<int>(seeds(200)));
 }
