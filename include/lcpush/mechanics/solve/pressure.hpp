@@ -82,7 +82,6 @@ private:
   PressureRun run_{};
   Phase phase_ = Phase::literal;
   Index stiff_starts_ = 0, fine_ = 0, retraces_ = 0; // that have been made
-  Index most_pivots_ = 0;                            // with which one more may begin
   bool is_first_ = true, has_changed_ = false;       // since the pads' own preload: round, contacts
   S runaway_{PadSettings::runaway};                  // beyond it the forces of rounds are lost
   bool warm_ = false, restarted_ = false;            // this round

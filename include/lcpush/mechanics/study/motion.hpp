@@ -61,7 +61,9 @@ template <class S> bool carried_by_a_surface(const Scene<S>& scene, const Answer
     const ContactAnswer<S>& contact = answer.contacts[i];
     const Body<S>& body = scene.bodies[contact.body];
     if (body.role != Role::pusher || !(contact.normal_force > S(0))) continue;
-    const Vector3<S> surface = acceleration_at(scene.points[i], body.acceleration);
+    // With what an actuator closes as well.
+    const Vector3<S> surface =
+        acceleration_at(scene.points[i], answer.acceleration) - contact.acceleration;
     const S along_normal = surface.dot(body.normal);
     const S across = (surface - along_normal * body.normal).norm();
     if (contact.mode != Mode::stick || !(across > Eigen::numext::abs(along_normal))) return false;
