@@ -26,7 +26,9 @@ struct SimplexSettings {
   static constexpr double pivot = 1e-9;  ///< a smaller entry is what eliminating has left of a zero
   static constexpr double price = 1e-10; ///< a reduced cost below it gains nothing
   static constexpr double tie = 1e-12;   ///< of the ratio test: the largest pivot leaves
-  static constexpr double agrees = 1e-10;     ///< left of an equation or a sign: it holds
+  static constexpr double agrees = 1e-10;  ///< left of an equation or a sign: it holds
+  static constexpr double balances = 2e-9; ///< of a point as a whole, in sums and signs: numbers in
+                                           ///< ten digits leave so much
   static constexpr double contradicts = 1e-8; ///< it does not; in between nothing is claimed
   static constexpr double proof = 1e-8;       ///< of a reduced cost that is computed afresh
   /// More pivots than these go in circles; the programs of fixtures take 3 a row.

@@ -93,6 +93,21 @@ void Simplex::price(const Eigen::VectorXd& c) {
   }
 }
 
+/// The same afresh: the multipliers with one step of refinement by the basis's inverse.
+void Simplex::refine_prices(const Eigen::VectorXd& c) {
+  const Index m = rows();
+  const Eigen::VectorXd y = multipliers(), off = c - product(A_.transpose(), y);
+  Eigen::VectorXd better = y;
+  for (Index i = 0; i < m; ++i)
+    if (const Index j = basic_[static_cast<std::size_t>(i)]; j >= 0 && j < helper_)
+      better += off[j] * table_.row(i).segment(multipliers_, m).transpose();
+  table_.row(m).head(c.size()) = (c - product(A_.transpose(), better)).transpose();
+  table_.row(m).segment(multipliers_, m) = -better.transpose();
+  for (Index i = 0; i < m; ++i)
+    if (const Index j = basic_[static_cast<std::size_t>(i)]; j >= 0) table_(m, j) = 0;
+  work_ += static_cast<double>(2 * m * (A_.cols() + m));
+}
+
 /// The variable that lowers the cost fastest; `first`: the first one that does (no cycles).
 Index Simplex::entering(bool first) const {
   const Index m = rows();
@@ -197,11 +212,11 @@ void Simplex::read_point() {
   add(product(table_.block(0, multipliers_, m, m), off));
   work_ += static_cast<double>(m * (A_.cols() + m));
   for (Index j = free_; j < point_.size(); ++j)
-    if (point_[j] < 0 && point_[j] > -Settings::agrees) point_[j] = 0;
+    if (point_[j] < 0 && point_[j] > -Settings::balances) point_[j] = 0;
 }
 
 bool Simplex::is_point() const {
-  return largest(product(A_, point_) - b_) <= Settings::agrees * (1 + largest(b_)) &&
+  return largest(product(A_, point_) - b_) <= Settings::balances * (1 + largest(b_)) &&
          is_above(0, point_, free_);
 }
 
@@ -274,7 +289,11 @@ Simplex::Ending Simplex::minimise(const Eigen::VectorXd& c) {
   for (Index j = 0; j < free_; ++j) // a free variable that no row holds
     if (!is_basic_[static_cast<std::size_t>(j)] && std::abs(table_(rows(), j)) > Settings::proof)
       return Ending::failed;
-  const Ending ending = descend();
+  Ending ending = descend();
+  if (ending == Ending::found && !is_proved(costs)) { // small pivots have cost digits
+    refine_prices(costs);
+    ending = descend();
+  }
   read_point();
   if (ending == Ending::failed || !is_point()) return Ending::failed;
   if (ending == Ending::unbounded) return is_ray(costs) ? ending : Ending::failed;

@@ -58,6 +58,7 @@ private:
   bool has_sign(Index row) const { return basic_[static_cast<std::size_t>(row)] >= free_; }
   void pivot(Index row, Index column);
   bool start();
+  void refine_prices(const Eigen::VectorXd& c);
   void price(const Eigen::VectorXd& c);
   Index entering(bool first) const;
   Index leaving(Index column, bool first) const;

@@ -234,6 +234,13 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
                            (has_most(study) ? ", and at most " + grip_text(study, study.most) +
                                                   ": more drives it out"
                                             : "")});
+  const bool could_hold = !study.is_statics && study.grip.force > 0 && study.statics_factor <= 1;
+  if (study.held == false && could_hold)
+    facts.push_back(
+        {"By statics", "forces that hold it exist from " + grip_text(study, study.statics_factor) +
+                           " on" +
+                           (has_patches(file) ? "; pressure would have to shift"
+                                              : ": the laws leave open which forces there are")});
   if (!study.held.value_or(false)) return facts;
   if (study.other)
     facts.push_back(

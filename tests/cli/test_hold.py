@@ -106,6 +106,19 @@ class ClosedForms(unittest.TestCase):
             self.assertTrue(answer["held"], digits)
             self.assertAlmostEqual(answer["least_grip"]["force"], 0.5 * 9.81 / 3 / 0.7, delta=2e-3)
 
+    def test_a_lid_in_three_fingertips_as_it_is_typed(self):
+        """Normals that balance but for 5e-9: 5 N / (3 mu) each."""
+        text = '[object]\nmass = "50 g"\ncylinder_radius = "35 mm"\ncylinder_length = "15 mm"\nforce = [0, 0, -5]\n'
+        for name, center, normal in (("a", "0.035, 0", "-1, 0"), ("b", "-0.0175, 0.0303109", "0.5, -0.8660254"),
+                                     ("c", "-0.0175, -0.0303109", "0.5, 0.8660254")):
+            text += (f'[[finger]]\nname = "{name}"\nshape = "point"\ncenter = [{center}, 0]\nnormal = [{normal}, 0]\n'
+                     'friction = 0.6\ngrip_force = 10\n')
+        for digits in ("", "404", "4038"):  # in seven digits, ten and eleven
+            typed = text.replace("0.8660254", "0.8660254" + digits).replace("0.0303109", "0.0303108" + ("891" if digits else "9"))
+            answer = json.loads(run("-", "--json", text=typed).stdout)
+            self.assertTrue(answer["held"], digits)
+            self.assertAlmostEqual(answer["least_grip"]["force"], 5 / 1.8, delta=1e-6)
+
     def test_a_table_of_many_points_is_answered_and_says_how_far(self):
         text = ('gravity = [0, 0, -9.81]\n[object]\nmass = 0.18\nbox = "147 x 72 x 8 mm"\n[[finger]]\nname = "table"\n'
                 'shape = "rectangle"\non = "-z"\nsize = [0.12, 0.06]\npoints = [8, 8]\nfriction = 0.3\n')
