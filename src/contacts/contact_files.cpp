@@ -170,6 +170,9 @@ ContactProblem read_contacts(const std::string& path, bool normal_last) {
   if (std::filesystem::is_directory(path, ignored))
     return problem_of(ContactParts(path), normal_last);
   const std::string name = file_label(path);
+  if (std::filesystem::path(path).extension() == ".toml")
+    throw InputError(name + ": a scene; `lcpush export " + path +
+                     " -o DIR` writes its contacts to DIR/fclib, which this command reads");
   const JsonValue root = parse_json(read_text_file(path, limits::answer_bytes), name);
   return problem_of(ContactParts(root, name), normal_last); // the text is gone before the rows come
 }

@@ -1,6 +1,7 @@
 // The referee of contact problems: reads the problem as given, and shares no code with the solver.
 #include "contacts/settings.hpp"
 #include "dense/decompositions.hpp"
+#include "dense/simplex.hpp"
 #include "lcpush/desktop/contacts.hpp"
 
 #include <algorithm>
@@ -105,7 +106,8 @@ std::string contact_hint(const ContactProblem& p, const ContactForces& answer) {
     return of.worst[static_cast<Index>(ContactLaw::natural_map)].size;
   };
   if (answer.r.isZero(0)) return ""; // forces of 0 are the same in every order
-  const double enough = std::max(answer.tolerance, ContactSettings::turned * worst(answer));
+  const double enough = std::max(answer.tolerance, std::min(ContactSettings::turned * worst(answer),
+                                                            ContactSettings::few_digits));
   const auto fits = [&](const ContactProblem& problem, const VectorXd& r) {
     return worst(judge_contacts(problem, r, answer.tolerance)) <= enough;
   };
@@ -156,6 +158,29 @@ VectorXd contradiction(const ContactProblem& p, const VectorXd& r) {
   VectorXd weights(p.contacts());
   for (Index c = 0; c < weights.size(); ++c) weights[c] = v[3 * c];
   return weights;
+}
+
+VectorXd find_contradiction(const ContactProblem& p) {
+  const Index k = p.contacts(), n = p.b.size(), e = p.V.cols();
+  const double size = n > 0 ? p.b.cwiseAbs().maxCoeff() : 0;
+  if (k > ContactSettings::most_refuted || !(size > 0)) return {};
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + e + 1, k);
+  for (Index i = 0; i < n; ++i)
+    for (const SparseEntry& entry : p.W.row(i))
+      if (entry.column % 3 == 0) A(i, entry.column / 3) = entry.value;
+  for (Index c = 0; c < k; ++c) {
+    A.block(n, c, e, 1) = p.V.row(3 * c).transpose();
+    A(n + e, c) = p.b[3 * c] / size;
+  }
+  for (Index i = 0; i < n + e; ++i)
+    if (const double largest = A.row(i).cwiseAbs().maxCoeff(); largest > 0) A.row(i) /= largest;
+  VectorXd closes = VectorXd::Zero(n + e + 1);
+  closes[n + e] = -1;
+  const auto weights = cheapest_point(A, closes, VectorXd::Zero(k), 0);
+  if (!weights) return {};
+  VectorXd r = VectorXd::Zero(n);
+  for (Index c = 0; c < k; ++c) r[3 * c] = (*weights)[c];
+  return contradiction(p, r);
 }
 
 ContactForces judge_contacts(const ContactProblem& p, const VectorXd& r, double tolerance,

@@ -87,6 +87,7 @@ ContactForces solve_contact_pyramids(const ContactProblem& p, Index facets,
   if (!solved.ray.empty())
     answer.none =
         contradiction(p, forces(Eigen::Map<const Eigen::VectorXd>(solved.ray.data(), n + e)));
+  if (!answer.is_good && answer.none.size() == 0) answer.none = find_contradiction(p);
   return answer;
 }
 

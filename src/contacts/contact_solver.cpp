@@ -348,6 +348,7 @@ ContactForces ContactSolver::solve() {
     polish();
   }
   if (!best_.is_good) best_.none = contradiction(problem_, best_.r);
+  if (!best_.is_good && best_.none.size() == 0) best_.none = find_contradiction(problem_);
   return best_;
 }
 

@@ -30,11 +30,13 @@ struct ContactSettings {
   /// Steps along the path, and those that may fail: piles of 225 contacts with masses from 1 to 1e6
   /// took 40 and 12.
   static constexpr int outer = 80, failures = 12, newton_steps = 25, halvings = 8, patience = 6;
-  static constexpr double decrease = 1e-4; ///< of the residual, times the step
-  static constexpr double settled = 1e-14; ///< of the largest force
-  static constexpr double equality = 1e-2; ///< delta of the multipliers, whose columns are near 1
-  static constexpr double turned = 1e-2;   ///< of the residual: so little shows what was mistaken
-  static constexpr double thousand = 1e3;  ///< kN and mN, and impulses of a millisecond
+  static constexpr double decrease = 1e-4;   ///< of the residual, times the step
+  static constexpr double settled = 1e-14;   ///< of the largest force
+  static constexpr double equality = 1e-2;   ///< delta of the multipliers, whose columns are near 1
+  static constexpr Index most_refuted = 200; ///< contacts of which a contradiction is looked for
+  static constexpr double few_digits = 5e-3; ///< scaled: what three digits leave of the laws
+  static constexpr double turned = 1e-2;     ///< of the residual: so little shows what was mistaken
+  static constexpr double thousand = 1e3;    ///< kN and mN, and impulses of a millisecond
   static constexpr double along_slip =
       0.1; ///< rad: friction so near to the slip has the wrong sign
   /// Of the largest normal force where nothing holds: less is none. What is left of its velocities,

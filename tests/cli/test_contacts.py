@@ -89,6 +89,9 @@ class Contacts(ToolTest):
                     "r": [16.99092 * factor, -5.097276 * factor, 0]}
             hint = json_of("contacts", self.written(slid), "--tolerance", "1e-4")["hint"]
             self.assertIn(f"With every force {said} the laws hold", hint)
+        for factor in (1e4, 1e6):  # a thousandth of which is as wrong
+            slid["r"] = [16.99092 * factor, -5.097276 * factor, 0]
+            self.assertNotIn("the laws hold", json_of("contacts", self.written(slid))["hint"] or "")
 
     def test_refused_forces_are_told_what_is_wrong(self):
         slides = {"W": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "b": [0.5, 0, -1], "mu": 0.5, "normal": "last"}
@@ -175,6 +178,10 @@ class Contacts(ToolTest):
                 changed[rng.randrange(len(r))] += rng.choice([-1, 1]) * 10 ** rng.uniform(-4, 0) * largest
                 self.assertEqual(judged(changed).returncode, 1, (name, changed))
 
+    def test_a_scene_is_told_where_its_contacts_are(self):
+        scene = SOURCE / "fixtures/scenes/straight_slide.toml"
+        self.assertIn("a scene; `lcpush export", unwrapped(run("contacts", scene).stderr))
+
     def test_bad_input_is_refused_by_name(self):
         good = {"W": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "b": [-1, 0, 0], "mu": [0.5]}
         for change, message in [({"mu": [-1]}, '"mu" of contact 1 is -1; friction is >= 0'),
@@ -208,6 +215,15 @@ class Contacts(ToolTest):
                 for weight in answer["none"]:
                     self.assertAlmostEqual(weight, 1, 6)
                 self.assertIsNone(answer["residuals"]["lcp"])
+                self.assertIn(words, unwrapped(run("contacts", self.written(problem), *options).stdout))
+        # A ball that three walls close in on, with friction; and integers, W = v v'.
+        J = [row for a in (0, 2 * math.pi / 3, 4 * math.pi / 3) for row in
+             ((math.cos(a), math.sin(a), 0), (-math.sin(a), math.cos(a), 0), (0, 0, 1))]
+        v = [1, 2, 0, -2, 1, 1]
+        walls = {"W": [[dot(a, b) for b in J] for a in J], "b": [-1, 0, 0] * 3, "mu": [0.5] * 3}
+        whole = {"W": [[a * b for b in v] for a in v], "b": [-1, 0, 0, -1, 0, 0], "mu": [0.5] * 2}
+        for problem, words in ((walls, "of contacts 1, 2 and 3 the normal velocities sum up to -3"), (whole, "no such forces")):
+            for options in ((), ("--facets", 8)):
                 self.assertIn(words, unwrapped(run("contacts", self.written(problem), *options).stdout))
         eased = {**squeezed, "b": [-1, 0, 0, 3, 0, 0]}  # as fast as the one closes the other may open
         self.assertEqual(json_of("contacts", self.written(eased))["status"], "solved")

@@ -79,6 +79,9 @@ ContactForces judge_contacts(const ContactProblem& problem, const Eigen::VectorX
 /// Does W leave these normal forces' velocities alone, while b lets their points close? Then no
 /// forces keep them from it, and these are the weights that show it; else empty.
 Eigen::VectorXd contradiction(const ContactProblem& problem, const Eigen::VectorXd& r);
+/// The same, looked for by a linear program, whatever friction is; of many contacts not. Cost: O(k)
+/// pivots of O(k^2).
+Eigen::VectorXd find_contradiction(const ContactProblem& problem);
 
 /// The same numbers, read with the normal at the other place.
 ContactProblem in_other_order(ContactProblem problem);
