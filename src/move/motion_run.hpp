@@ -36,6 +36,8 @@ public:
   /// To be called where strokes may begin: their bodies touch what they meet there.
   void begin_strokes() { faces_.begin_strokes(stepper_.time(), stepper_.pose().rotation); }
 
+  void widen_faces(double by) { faces_.widen(by); }
+
   /// One step of h seconds that ends within the same strokes as it begins. Where round friction
   /// does not settle, pyramids have the answer; after some such steps, they have all others too.
   [[nodiscard]] Status advance(double h);

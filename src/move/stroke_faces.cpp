@@ -285,6 +285,17 @@ void StrokeFaces::begin_strokes(double time, const Matrix3<double>& turned) {
   }
 }
 
+void StrokeFaces::widen(double by) {
+  for (Face<double>& face : faces_.faces)
+    if (face.radius > 0) face.radius += by;
+  for (std::vector<Vector3<double>>& corners : faces_.corners) {
+    Vector3<double> middle = Vector3<double>::Zero();
+    for (const Vector3<double>& corner : corners)
+      middle += corner / static_cast<double>(corners.size());
+    for (Vector3<double>& corner : corners) corner += 2 * by * (corner - middle).normalized();
+  }
+}
+
 void StrokeFaces::place_strokes(double middle) {
   for (std::size_t b = 0; b < file_.strokes.size(); ++b)
     faces_.absent[b] = middle < file_.strokes[b].from || middle >= file_.strokes[b].until;

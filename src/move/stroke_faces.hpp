@@ -30,6 +30,8 @@ public:
   /// To be called where strokes may begin, with the object's turn: their bodies touch the faces
   /// that their normals point into there. Throws InputError where there is none.
   void begin_strokes(double time, const Matrix3<double>& turned);
+  /// Faces end so far, m, beyond their rims: for motions whose places are off by little.
+  void widen(double by);
   /// Who is there in a step with this middle?
   void place_strokes(double middle);
 

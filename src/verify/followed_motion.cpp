@@ -11,8 +11,9 @@ using Settings = VerifySettings;
 class ChangeJudge {
 public:
   /// `parts`: of the laws' own steps between two frames.
-  ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, int parts)
-      : file_(file), given_(thinned(given)), parts_(parts), laws_(file, given_) {}
+  ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, int parts,
+              double rim)
+      : file_(file), given_(thinned(given)), parts_(parts), laws_(file, given_, rim) {}
 
   MissedChange judge() {
     if (laws_.run().start() != Status::running) return worst_;
@@ -20,12 +21,16 @@ public:
     const bool is_start = starts_as_scene(file_, given_[0]);
     const std::size_t begin = is_start || given_[0].twist ? 0 : 1;
     if (begin == 1) (void)followed(0, velocity_at(given_, 0)); // what touches at the begin
-    const std::size_t frames =
-        std::max(Settings::least_change_frames, given_.size() / Settings::change_windows);
-    for (std::size_t from = begin; from + 1 < given_.size(); from += frames / 2) {
-      const bool is_scenes = is_start && from == 0;
-      follow(from, std::min(from + frames, given_.size() - 1),
-             is_scenes ? file_.start : velocity_at(given_, from), is_scenes || given_[from].twist);
+    for (const std::size_t windows : Settings::change_windows) {
+      const std::size_t frames =
+          std::max(Settings::least_change_frames, (given_.size() - 1) / windows);
+      for (std::size_t from = begin; from + 1 < given_.size(); from += (frames + 1) / 2) {
+        const bool is_scenes = is_start && from == 0;
+        follow(from, std::min(from + frames, given_.size() - 1),
+               is_scenes ? file_.start : velocity_at(given_, from),
+               is_scenes || given_[from].twist);
+        if (windows == 1) break;
+      }
     }
     return worst_;
   }
@@ -111,13 +116,40 @@ void FollowedMotion::begin_at(std::size_t k, const Vector6<double>& twist) {
   if (k == 0) run_.begin_strokes(); // those of the scene's start, where a motion begins late
   const auto closings = seen_.closings_at(k), speeds = seen_.speeds_at(k);
   for (std::size_t a = 0; a < closings.size(); ++a)
-    if (closings[a]) run_.close(static_cast<Index>(a), *closings[a], speeds[a].value_or(0));
+    if (closings[a])
+      run_.close(static_cast<Index>(a), *closings[a], speeds[a].value_or(0));
+    else
+      follow_with(static_cast<Index>(a), given_[k].pose);
   for (Index b = 0; b < run_.scene().bodies.size; ++b) {
     if (!is_driven(run_.scene(), b)) run_.put(b, seen_.stroke_pose(b, given_[k].time));
     if (const std::optional<Pose<double>> pose = seen_.driven_pose(b, k)) run_.put(b, *pose);
   }
   run_.begin_at(given_[k].time, given_[k].pose, twist);
   run_.begin_strokes();
+}
+
+/// What an actuator presses with goes with the object from where the laws have led it to `to`, as
+/// far as it can.
+void FollowedMotion::follow_with(Index actuator, const Pose<double>& to) {
+  const Pose<double>& from = run_.stepper().pose();
+  const Vector6<double> way = mean_twist(from, to, 1);
+  const MotionRun::State now = run_.state();
+  const std::vector<Touch> touches = run_.touches();
+  for (const Drive<double>& drive : run_.scene().drives) {
+    if (drive.actuator != actuator) continue;
+    const auto a = static_cast<std::size_t>(actuator), b = static_cast<std::size_t>(drive.body);
+    for (const Index i : points_of(run_.scene().bodies[drive.body])) {
+      if (touches[static_cast<std::size_t>(i)] > Touch::slips) continue;
+      const Vector3<double> place = from.at(run_.scene().points[i]);
+      const Vector3<double> closes = acceleration_at(place, drive.twist);
+      const double shift =
+          closes.dot(acceleration_at<double>(place - from.position, way)) / closes.squaredNorm();
+      run_.close(actuator, now.closings[a] + shift, now.speeds[a]);
+      run_.put(drive.body,
+               moved_about_origin(now.bodies[b], Vector6<double>(shift * drive.twist), 1.0));
+      return;
+    }
+  }
 }
 
 Status FollowedMotion::advance(double h, bool& is_halved, int halvings) {
@@ -129,11 +161,11 @@ Status FollowedMotion::advance(double h, bool& is_halved, int halvings) {
 }
 
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
-                           double allowed) {
-  MissedChange least = ChangeJudge(file, given, 1).judge();
+                           double allowed, double rim) {
+  MissedChange least = ChangeJudge(file, given, 1, rim).judge();
   for (const int parts : Settings::change_parts) {
     if (least.speed <= allowed) break;
-    const MissedChange finer = ChangeJudge(file, given, parts).judge();
+    const MissedChange finer = ChangeJudge(file, given, parts, rim).judge();
     if (finer.speed < least.speed) least = finer;
   }
   return least;

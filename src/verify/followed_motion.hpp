@@ -8,9 +8,11 @@ namespace lcpush::desktop {
 
 class FollowedMotion {
 public:
-  /// Both must outlive it.
-  FollowedMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& given)
-      : given_(given), seen_(file, given), run_(file) {}
+  /// Both must outlive it. `rim`: so far beyond its end, m, a face still touches.
+  FollowedMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double rim)
+      : given_(given), seen_(file, given), run_(file) {
+    if (rim > 0) run_.widen_faces(rim);
+  }
 
   MotionRun& run() { return run_; }
   const TellingPoints& telling() const { return seen_.telling(); }
@@ -24,6 +26,8 @@ private:
   const std::vector<TrajectoryFrame>& given_;
   SeenMotion seen_;
   MotionRun run_;
+
+  void follow_with(Index actuator, const Pose<double>& to);
 };
 
 /// `change_frames` of a motion at most, so that its velocity changes by more than its digits from
@@ -34,6 +38,6 @@ std::vector<TrajectoryFrame> thinned(const std::vector<TrajectoryFrame>& given);
 /// by half. `allowed`, m/s: by more, the laws are followed in finer steps as well. Cost: two steps
 /// a frame of `change_frames` at most, then these.
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
-                           double allowed);
+                           double allowed, double rim);
 
 } // namespace lcpush::desktop

@@ -70,8 +70,8 @@ std::optional<Vector3<double>> first_offset(const SceneFile& file,
 
 class TrajectoryJudge {
 public:
-  TrajectoryJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given)
-      : file_(file), given_(given), laws_(file, given) {}
+  TrajectoryJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double rim = 0)
+      : file_(file), given_(given), rim_(rim), laws_(file, given, rim) {}
 
   TrajectoryReport judge(double tolerance) {
     report_.tolerance = tolerance;
@@ -79,7 +79,8 @@ public:
     report_.status = run_.start();
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
-    if (report_.status == Status::solved) report_.missed = judge_changes(file_, given_, allowed());
+    if (report_.status == Status::solved)
+      report_.missed = judge_changes(file_, given_, allowed(), rim_);
     report_.overlap = find_overlap(file_, given_);
     const double span = given_.back().time - given_.front().time;
     report_.creep = speed_between(laws_.telling(), given_.front().pose, given_.back().pose, span);
@@ -116,7 +117,7 @@ private:
     }
     if (step.status != Status::solved) return step;
     step.end = run_.stepper().pose();
-    step.off = speed_between(laws_.telling(), step.end, to.pose, h);
+    step.off = speed_between(laws_.telling(), step.end, to.pose, interval_);
     step.saved = run_.save();
     return step;
   }
@@ -153,15 +154,16 @@ private:
       const bool is_settling = parts >= settles && is_solved && finer.status == Status::solved &&
                                last.is_smooth && finer.is_smooth;
       const bool is_hopeless =
-          is_settling && finer.off > 2 * speed_between(laws_.telling(), last.end, finer.end, h) +
-                                         report_.tolerance * report_.fastest;
+          is_settling &&
+          finer.off > 2 * speed_between(laws_.telling(), last.end, finer.end, interval_) +
+                          report_.tolerance * report_.fastest;
       const bool is_nearer =
           finer.status == Status::solved &&
           (nearest.status != Status::solved || finer.off < Settings::nearer * nearest.off);
       if (is_nearer) nearest = finer;
       if (is_solved && finer.status == Status::solved)
-        nearest.off = std::min(
-            nearest.off, speed_from_between(laws_.telling(), last.end, finer.end, to.pose, h));
+        nearest.off = std::min(nearest.off, speed_from_between(laws_.telling(), last.end, finer.end,
+                                                               to.pose, interval_));
       last = std::move(finer);
       if (is_hopeless) break;
     }
@@ -182,7 +184,8 @@ private:
     };
     double nearest = off(run_.stepper().velocity());
     std::optional<Vector6<double>> last;
-    for (int parts = 1; parts <= Settings::most_parts && nearest > allowed(); parts *= 2) {
+    const double most = wrong_ >= Settings::wrong_frames ? 0 : Settings::most_parts;
+    for (int parts = 1; parts <= most && nearest > allowed(); parts *= 2) {
       run_.restore(before);
       if (step_in(to, h, parts).status != Status::solved) break;
       const Vector6<double> velocity = run_.stepper().velocity();
@@ -195,6 +198,59 @@ private:
     }
     run_.restore(own.saved);
     return nearest;
+  }
+
+  /// The same in many parts from frame j on, at this velocity, if that comes nearer. `weight`: of
+  /// what it is off then.
+  void begin_otherwise(const MotionRun::Saved& at, std::size_t j, const Vector6<double>& velocity,
+                       const TrajectoryFrame& to, double weight, StepEnd& own) {
+    run_.restore(at);
+    run_.begin_at(given_[j].time, given_[j].pose, velocity);
+    const double span = to.time - given_[j].time;
+    StepEnd other =
+        step_in(to, span, static_cast<int>(std::lround(Settings::fine_parts * span / interval_)));
+    other.off *= weight;
+    const bool is_nearer =
+        other.status == Status::solved && (own.status != Status::solved || other.off < own.off);
+    if (is_nearer) own = other;
+    if (own.status == Status::solved) run_.restore(own.saved);
+  }
+
+  /// Places alone say the mean velocity of a step: one within which something stops says neither
+  /// that before nor that after, and where it changes fast that of two steps is nearer to the one
+  /// between them. (Which knows the step's end already: what it is off by shows half.)
+  void begin_otherwise(const MotionRun::Saved& before, std::size_t k, StepEnd& own) {
+    if (wrong_ >= Settings::wrong_frames || k < 2) return;
+    const TrajectoryFrame& to = given_[k];
+    const double both = to.time - given_[k - 2].time;
+    begin_otherwise(before, k - 1, mean_twist(given_[k - 2].pose, to.pose, both), to, 2, own);
+    if (!before_ || k < 4) return;
+    const Vector6<double> velocity = before_->moment.velocity;
+    const Vector6<double> then = velocity + (velocity - velocity_at(given_, k - 3)) / 2;
+    begin_otherwise(*before_, k - 2, then, to, 1, own);
+  }
+
+  /// The same at the frame after k, over both steps in many parts: what touches just before a frame
+  /// is stopped before it or after, as the steps fall. A wrong velocity at frame k alone is seen
+  /// from there.
+  double next_velocity_off(const MotionRun::Saved& before, const StepEnd& own, std::size_t k) {
+    if (k + 1 == given_.size() || !given_[k + 1].twist || wrong_ >= Settings::wrong_frames)
+      return std::numeric_limits<double>::infinity();
+    const TrajectoryFrame& next = given_[k + 1];
+    const double h = next.time - given_[k - 1].time;
+    run_.restore(before);
+    const StepEnd both = step_in(next, h, static_cast<int>(Settings::most_parts));
+    double off = std::numeric_limits<double>::infinity();
+    if (both.status == Status::solved) {
+      const Vector6<double> velocity = run_.stepper().velocity();
+      const auto speed = [&](const Vector6<double>& twist) {
+        return laws_.telling().fastest(next.pose, twist);
+      };
+      off = std::max(both.off, speed(velocity - *next.twist) -
+                                   Settings::of_landing * speed(velocity - before.moment.velocity));
+    }
+    run_.restore(own.saved);
+    return off;
   }
 
   /// With which a step to frame k begins. Places alone say the mean since the frame before, which
@@ -213,14 +269,13 @@ private:
   /// From frame k - 1 to frame k, by the laws and as given.
   void step(std::size_t k) {
     const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
-    const double h = to.time - from.time;
+    const double h = interval_ = to.time - from.time;
     // Its speed, before it has moved; unless it is the scene's, which says one.
     const bool is_start = k == 1 && starts_as_scene(file_, from);
     const bool is_unknown = !from.twist && k == 1 && !is_start;
     laws_.begin_at(k - 1, is_start ? file_.start : velocity_before(k));
-    if (is_unknown) { // where that leads is not judged
-      bool is_halved = false;
-      (void)laws_.advance(h, is_halved, Settings::part_halvings);
+    if (is_unknown) { // where that leads is not judged, but fingers whose places nobody says follow
+      (void)nearest_end(to, h);
       return;
     }
     for (Index b = 0; b < run_.scene().bodies.size; ++b)
@@ -232,20 +287,27 @@ private:
     report_.fastest = std::max(report_.fastest, goes_);
     const MotionRun::Saved before = run_.save();
     StepEnd own = nearest_end(to, h);
+    const bool is_off = own.status != Status::solved || own.off > allowed();
+    const Pose<double> led = own.end; // of what stays other begins would only follow the noise
+    if (!from.twist && is_off && !own.is_far) begin_otherwise(before, k, own);
+    before_ = before;
     report_.status = own.status;
     if (report_.status != Status::solved) {
       report_.worst_time = to.time;
       return;
     }
-    if (to.twist && (from.twist || is_start) && !own.jumps)
-      own.off = std::max(own.off, velocity_off(before, own, to, h));
+    if (to.twist && (from.twist || is_start) && !own.jumps) {
+      double off = velocity_off(before, own, to, h);
+      if (off > allowed()) off = std::min(off, next_velocity_off(before, own, k));
+      own.off = std::max(own.off, off);
+    }
     if (own.is_far && !from.twist && own.off > allowed()) {
       report_.is_coarse = true;
       report_.status = Status::not_settled;
       report_.worst_time = to.time;
       return;
     }
-    own_ = std::max(own_, speed_between(laws_.telling(), from.pose, own.end, h));
+    own_ = std::max(own_, speed_between(laws_.telling(), from.pose, led, h));
     wrong_ += own.off > allowed() ? 1 : 0;
     if (own.off > (1 + Settings::same_speed) * report_.worst)
       report_.worst_time = to.time; // the first of equals
@@ -290,51 +352,48 @@ private:
 
   const SceneFile& file_;
   const std::vector<TrajectoryFrame>& given_;
+  const double rim_;
   FollowedMotion laws_;
   MotionRun& run_ = laws_.run();
   TrajectoryReport report_;
   int wrong_ = 0;             ///< steps
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
+  double interval_ = 0;       ///< s, of the step: what places are off by is a speed over it
+  std::optional<MotionRun::Saved> before_; ///< where the step before began
 };
 
-/// m: the last digit of all places, a power of ten; 0: they have many, or are all smaller.
-double last_digit(const std::vector<TrajectoryFrame>& frames) {
-  double farthest = 0;
-  for (const TrajectoryFrame& frame : frames)
-    farthest = std::max(farthest, frame.pose.position.cwiseAbs().maxCoeff());
-  for (double digit = Settings::coarsest_digit; digit >= Settings::finest_digit;
-       digit /= Settings::decade) {
-    if (farthest < digit / 2) continue;
-    const auto has_more = [digit](const TrajectoryFrame& frame) {
-      const Vector3<double> digits = frame.pose.position / digit;
-      return (digits - digits.array().round().matrix()).cwiseAbs().maxCoeff() > Settings::rounded;
-    };
-    if (std::none_of(frames.begin(), frames.end(), has_more)) return digit;
-  }
-  return 0;
-}
-
-/// What the digits of places leave open of a speed between two frames, if that may be all that is
-/// wrong.
-std::string digits_hint(const std::vector<TrajectoryFrame>& frames,
+/// What the digits of places and rotations leave open of a speed between two frames, if that may be
+/// all that is wrong.
+std::string digits_hint(const SceneFile& file, const Trajectory& given,
                         const TrajectoryReport& report) {
   double h = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < frames.size(); ++k)
-    h = std::min(h, frames[k].time - frames[k - 1].time);
-  const double digit = last_digit(frames), open = 2 * digit / h;
+  for (std::size_t k = 1; k < given.frames.size(); ++k)
+    h = std::min(h, given.frames[k].time - given.frames[k - 1].time);
+  const double turned = given.turn_digit * object_size(file),
+               open = 2 * std::max(given.place_digit, turned) / h;
   const double allowed = report.tolerance * report.fastest;
-  if (report.verdict != TrajectoryVerdict::differs || report.overlap.speed > allowed ||
-      report.missed.speed > allowed || report.worst > 2 * open)
-    return "";
-  return "Places end at " + millimetres(digit) + " and frames are " + brief(h) +
-         " s apart, which leaves speeds open by " + millimetres(open) +
-         "/s: give more digits, or fewer frames.";
+  const double off = std::max({report.worst, report.overlap.speed, report.missed.speed});
+  if (report.verdict != TrajectoryVerdict::differs || off <= allowed || off > 2 * open) return "";
+  return (turned > given.place_digit ? "Rotations end at " + brief(given.turn_digit)
+                                     : "Places end at " + millimetres(given.place_digit)) +
+         " and frames are " + brief(h) + " s apart, which leaves speeds open by " +
+         millimetres(open) + "/s: give more digits, or fewer frames.";
 }
+
+/// Another reading of the numbers, and in which words it is told.
+struct Reading {
+  std::string hint;
+  double length, speed, time; ///< by which places, velocities and times are divided
+};
 
 /// Of a motion that breaks the laws: `as_given`, and `judged` from where it begins.
 std::string motion_hint(const SceneFile& file, const std::vector<TrajectoryFrame>& as_given,
-                        std::vector<TrajectoryFrame> judged, const TrajectoryReport& report) {
-  if (report.verdict != TrajectoryVerdict::differs) return "";
+                        const std::vector<TrajectoryFrame>& judged,
+                        const TrajectoryReport& report) {
+  const bool is_stopped = report.verdict == TrajectoryVerdict::stopped;
+  if (report.verdict != TrajectoryVerdict::differs && !is_stopped) return "";
+  const double interval =
+      (judged.back().time - judged.front().time) / static_cast<double>(judged.size() - 1);
   const Matrix3<double> half_turn = Vector3<double>(-1, -1, 1).asDiagonal();
   if ((as_given.front().pose.rotation - half_turn).norm() <= Settings::start)
     return "It begins with half a turn about z: quaternions have w first here, and these look "
@@ -344,23 +403,39 @@ std::string motion_hint(const SceneFile& file, const std::vector<TrajectoryFrame
            TrajectoryVerdict::follows;
   };
   std::vector<TrajectoryFrame> turned_back = judged;
-  double turn = 0;
+  double turn = 0, way = 0;
   for (TrajectoryFrame& frame : turned_back) {
     turn = std::max(turn, (frame.pose.rotation - frame.pose.rotation.transpose()).norm());
+    way = std::max(way, frame.pose.position.norm());
     frame.pose.rotation.transposeInPlace();
   }
   if (turn > Settings::start && follows(turned_back))
     return "With every rotation turned back it obeys them: these look like matrices given column "
            "by column, or like conjugate quaternions.";
-  double way = 0;
-  for (TrajectoryFrame& frame : judged) {
-    way = std::max(way, frame.pose.position.norm());
-    frame.pose.position /= millimetres_a_metre;
-    if (frame.twist) frame.twist->head<3>() /= millimetres_a_metre;
+  constexpr double mm = millimetres_a_metre;
+  const std::string places = "With all places divided by 1000 it obeys them: these look like "
+                             "millimetres, metres are asked for.";
+  const Reading readings[] = {
+      {places, mm, mm, 1},
+      {places, mm, 1, 1},
+      {"With all times divided by 1000 it obeys them: these look like milliseconds, seconds are "
+       "asked for.",
+       1, 1, mm}};
+  for (const Reading& reading : readings) {
+    if (reading.length > 1 && way <= object_size(file)) continue;
+    if (reading.length > reading.speed && !judged.front().twist) continue;
+    // In a thousandth of the time whatever goes evenly obeys.
+    if (reading.time > 1 && interval < Settings::seldom) continue;
+    std::vector<TrajectoryFrame> read = judged;
+    for (TrajectoryFrame& frame : read) {
+      frame.time /= reading.time;
+      frame.pose.position /= reading.length;
+      if (frame.twist) frame.twist->head<3>() /= reading.speed;
+      if (frame.step) *frame.step /= reading.time;
+    }
+    if (follows(read)) return reading.hint;
   }
-  if (way <= object_size(file) || !follows(judged)) return "";
-  return "With all places divided by 1000 it obeys them: these look like millimetres, metres are "
-         "asked for.";
+  return "";
 }
 
 } // namespace
@@ -381,7 +456,12 @@ TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& traj
       frame.pose.rotation *= turned;
     }
   TrajectoryReport report = TrajectoryJudge(file, frames).judge(tolerance);
-  report.hint = digits_hint(frames, report);
+  if (report.verdict != TrajectoryVerdict::follows) { // its places may be a hair beside their faces
+    const double rim = Settings::face_rim * object_size(file);
+    const TrajectoryReport near = TrajectoryJudge(file, frames, rim).judge(tolerance);
+    if (near.verdict == TrajectoryVerdict::follows) report = near;
+  }
+  report.hint = digits_hint(file, trajectory, report);
   if (!report.hint.empty()) {
     report.verdict = TrajectoryVerdict::stopped;
     report.is_coarse = true;

@@ -48,6 +48,11 @@ public:
     };
     if (!turns() && std::any_of(names_.begin(), names_.end(), is_of_rotation))
       throw InputError(file, 1, "half a rotation: give all columns r11 .. r33, or qw, qx, qy, qz");
+    if (!has(speeds_) && std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
+          return std::count(speeds_.begin(), speeds_.end(), name) > 0;
+        }))
+      throw InputError(file, 1,
+                       "half a velocity: give all columns vx, vy, vz, wx, wy, wz, or none");
     find_forces(scene);
   }
 
@@ -59,7 +64,8 @@ public:
     return list;
   }
 
-  TrajectoryFrame read(std::string_view line, int number) const {
+  /// Adds the line's frame.
+  void read(std::string_view line, int number, ReadFrames& all) const {
     const Row row{split_at(line, separator_), number};
     if (row.words.size() != names_.size())
       throw InputError(file_, number,
@@ -69,10 +75,13 @@ public:
     const std::vector<double> place = values(row, {"time", "x", "y", "z"});
     frame.time = place[0];
     frame.pose.position = {place[1], place[2], place[3]};
+    all.places.insert(all.places.end(), place.begin() + 1, place.end());
     frame.has_rotation = turns();
-    if (turns())
-      frame.pose.rotation = has(rows_) ? rotation_of_rows(values(row, rows_))
-                                       : rotation_of_quaternion(values(row, quaternion_));
+    if (turns()) {
+      const std::vector<double> turn = values(row, has(rows_) ? rows_ : quaternion_);
+      all.turns.insert(all.turns.end(), turn.begin(), turn.end());
+      frame.pose.rotation = has(rows_) ? rotation_of_rows(turn) : rotation_of_quaternion(turn);
+    }
     if (has(speeds_)) frame.twist = Eigen::Map<const Vector6<double>>(values(row, speeds_).data());
     frame.step = number_in(row, step_);
     for (const Columns& at : contacts_)
@@ -81,7 +90,8 @@ public:
     for (const Columns& at : bodies_)
       frame.bodies.push_back({vector_in(row, &at[0]), vector_in(row, &at[3]), number_in(row, at[6]),
                               number_in(row, at[7])});
-    return frame;
+    all.lines.push_back(number);
+    all.frames.push_back(std::move(frame));
   }
 
 private:
@@ -149,7 +159,10 @@ private:
     };
     for (const std::string& name : names_) {
       const std::size_t dot = name.rfind('.');
-      if (dot == std::string::npos) continue;
+      if (dot == std::string::npos) {
+        refuse_other_spelling(places, name);
+        continue;
+      }
       const std::string whose = name.substr(0, dot), what = name.substr(dot + 1);
       const bool of_body = is_among(of_bodies_, what), of_contact = is_among(of_contacts_, what);
       if ((!of_body && !of_contact) || (of_body && places.bodies.count(whose) > 0) ||
@@ -160,6 +173,23 @@ private:
                        "column " + quoted(name) + ": the scene has no " + kind + quoted(whose) +
                            suggestion(whose, places.known()));
     }
+  }
+
+  /// "left_fx", or a turn in angles: left unread, it would be taken for nothing.
+  void refuse_other_spelling(const PlacesByName& places, const std::string& name) const {
+    const std::size_t bar = name.rfind('_');
+    if (bar != std::string::npos && !is_read(name)) {
+      const std::string meant = name.substr(0, bar) + "." + name.substr(bar + 1);
+      const bool is_known = places.bodies.count(name.substr(0, bar)) > 0 ||
+                            places.contacts.count(name.substr(0, bar)) > 0;
+      if (is_known && is_read(meant))
+        throw InputError(file_, 1, "column " + quoted(name) + ": write " + quoted(meant));
+    }
+    const bool is_angle = std::count(angles_.begin(), angles_.end(), name) > 0;
+    if (is_angle && !turns())
+      throw InputError(file_, 1,
+                       "column " + quoted(name) +
+                           ": a turn is told by r11 .. r33 (row by row) or qw, qx, qy, qz");
   }
 
   double value(const Row& row, std::size_t at) const {
@@ -193,6 +223,7 @@ private:
   const Names rows_{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
   const Names quaternion_{"qw", "qx", "qy", "qz"};
   const Names speeds_{"vx", "vy", "vz", "wx", "wy", "wz"};
+  const Names angles_{"roll", "pitch", "yaw", "rx", "ry", "rz", "theta", "angle", "phi", "psi"};
 };
 
 } // namespace
@@ -208,8 +239,7 @@ ReadFrames frames_of_csv(const std::string& text, const std::string& file, const
   read.unread = csv.unread();
   for (auto line = head; line != all.end() && ++line != all.end();) {
     if (!says(*line)) continue;
-    read.lines.push_back(static_cast<int>(line - all.begin()) + 1);
-    read.frames.push_back(csv.read(*line, read.lines.back()));
+    csv.read(*line, static_cast<int>(line - all.begin()) + 1, read);
   }
   return read;
 }

@@ -16,7 +16,9 @@ void check_frame(const std::string& file, int line, const TrajectoryFrame& frame
   const Matrix3<double> off = R.transpose() * R - Matrix3<double>::Identity();
   if (!(off.cwiseAbs().maxCoeff() <= VerifySettings::rotation &&
         cross<double>(R.col(0), R.col(1)).dot(R.col(2)) > 0))
-    throw InputError(file, line, "the rotation is none: its rows are not orthonormal");
+    throw InputError(file, line,
+                     "the rotation is none: its rows are not orthonormal, beyond what four digits "
+                     "leave open");
   if (frame.step && *frame.step < 0)
     throw InputError(file, line,
                      "step is the seconds of the step that ends here, >= 0, got " +
@@ -42,6 +44,34 @@ void check_frames(const std::string& file, const ReadFrames& read) {
                            " s, longer than since the frame before: it is the seconds of the one "
                            "step that ends here, whose mean the forces are");
   }
+}
+
+/// Of a rotation in few digits.
+Matrix3<double> nearest_rotation(Matrix3<double> R) {
+  for (int k = 0; k < VerifySettings::rotation_rounds; ++k)
+    R = (R * (3 * Matrix3<double>::Identity() - R.transpose() * R) / 2).eval();
+  return R;
+}
+
+/// The last digit of all numbers, a power of ten; 0: they have many, are all smaller, or whole.
+double last_digit(const std::vector<double>& numbers) {
+  double largest = 0;
+  bool is_whole = true;
+  for (const double number : numbers) {
+    largest = std::max(largest, std::abs(number));
+    is_whole = is_whole && std::abs(number - std::round(number)) < VerifySettings::finest_digit;
+  }
+  if (is_whole) return 0;
+  for (double digit = VerifySettings::coarsest_digit; digit >= VerifySettings::finest_digit;
+       digit /= VerifySettings::decade) {
+    if (largest < digit / 2) continue;
+    const auto has_more = [digit](double number) {
+      const double digits = number / digit;
+      return std::abs(digits - std::round(digits)) > VerifySettings::rounded;
+    };
+    if (std::none_of(numbers.begin(), numbers.end(), has_more)) return digit;
+  }
+  return 0;
 }
 
 /// Reads one list of a frame. Entries belong to the places that their names say, or, if none has a
@@ -185,6 +215,9 @@ ReadFrames frames_of_json(const std::string& text, const std::string& file,
     if (frame.has_rotation)
       frame.pose.rotation =
           rotation ? rotation_of_rows(*rotation) : rotation_of_quaternion(*quaternion);
+    read.places.insert(read.places.end(), position->begin(), position->end());
+    for (const auto* const numbers : {&rotation, &quaternion})
+      if (*numbers) read.turns.insert(read.turns.end(), (*numbers)->begin(), (*numbers)->end());
     frame.twist = fields.vector<6>(entry, "twist");
     read_forces(fields, entry, places, frame);
     read.frames.push_back(frame);
@@ -202,7 +235,10 @@ Trajectory parse_trajectory(const std::string& text, const std::string& file,
   const bool is_json = first != std::string::npos && text[first] == '{';
   ReadFrames read = is_json ? frames_of_json(text, file, scene) : frames_of_csv(text, file, scene);
   check_frames(file, read);
-  return {std::move(read.frames), std::move(read.unread)};
+  for (TrajectoryFrame& frame : read.frames)
+    frame.pose.rotation = nearest_rotation(frame.pose.rotation);
+  return {std::move(read.frames), std::move(read.unread), last_digit(read.places),
+          last_digit(read.turns)};
 }
 
 } // namespace lcpush::desktop

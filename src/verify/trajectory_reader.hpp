@@ -12,6 +12,7 @@ struct ReadFrames {
   std::vector<TrajectoryFrame> frames;
   std::vector<int> lines;
   std::vector<std::string> unread;
+  std::vector<double> places, turns; ///< the numbers of places and of rotations as they stand
 };
 
 /// Where a scene's bodies and contacts stand, by name.

@@ -128,8 +128,9 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
            fault_sentence(file, *report.forces->broken(report.tolerance)) + ".";
   case TrajectoryVerdict::differs: break;
   }
-  if (report.overlap.speed > report.tolerance * report.fastest &&
-      !(report.worst > report.overlap.speed))
+  const bool is_deep = report.overlap.depth > VerifySettings::pushed_out * object_size(file);
+  const bool is_fast = report.overlap.speed > report.tolerance * report.fastest;
+  if (is_deep || (is_fast && !(report.worst > report.overlap.speed))) // so deep nothing presses
     return "The motion breaks the laws: at " + brief(report.overlap.until) + " s " +
            point_name(file, report.overlap.point) + " is " + millimetres(report.overlap.depth) +
            " inside its face; bodies do not go into each other.";

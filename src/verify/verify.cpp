@@ -1,5 +1,6 @@
 #include "lcpush/desktop/verify.hpp"
 
+#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -147,6 +148,9 @@ private:
   /// Undone, a mistake lets all laws hold; one of signs may stand beside others.
   void look_for_mistakes() {
     if (own_.report().status != Status::solved) return;
+    const double nearly = VerifySettings::nearly * report_.tolerance;
+    if (report_.residual <= std::min(nearly, VerifySettings::rounded))
+      return; // few digits, no slip
     for (const LikelyMistake& mistake : likely_mistakes(push_.file(), given_)) {
       if (mistake.is_of_moments && !has_own_moments(mistake.answer)) continue;
       Verification check(push_.file(), mistake.answer, {report_.tolerance}, own_);
@@ -288,6 +292,31 @@ private:
   }
 };
 
+/// Has no number of the answer more digits than people print?
+bool has_few_digits(const ForeignAnswer& given) {
+  bool all = true;
+  const auto look = [&all](double number) {
+    const std::string text = in_digits(number, VerifySettings::printed_digits);
+    const double rounding = std::abs(number - read_finite_number(text).value);
+    all = all && rounding <= VerifySettings::negligible * std::abs(number);
+  };
+  const auto look_at = [&look](const auto& vector) {
+    if (vector) std::for_each(vector->begin(), vector->end(), look);
+  };
+  look_at(given.acceleration);
+  for (const ForeignContact& contact : given.contacts) {
+    look_at(contact.friction_force);
+    for (const auto& number : {contact.normal_force, contact.torsion})
+      if (number) look(*number);
+  }
+  for (const ForeignBody& body : given.bodies) {
+    look_at(body.force);
+    look_at(body.moment);
+    if (body.normal_force) look(*body.normal_force);
+  }
+  return all;
+}
+
 Index pusher_of(const SceneFile& file, const ForeignAnswer& given) {
   std::vector<std::string> names;
   Index pusher = -1;
@@ -333,11 +362,8 @@ VerifyReport verify_break(const SceneFile& file, const ForeignAnswer& given,
   report.rows = {{std::nullopt,
                   "lcpush's own push breaks the grasp at " + brief(lawful) +
                       (own.other_force ? " or " + brief(*own.other_force) : "") + " N",
-                  report.residual,
-                  least,
-                  "N",
-                  {},
-                  {}}};
+                  report.residual, least, "N", given.break_force, lawful}};
+  report.in_few_digits = true;
   const double close = std::max(options.tolerance, VerifySettings::same_answer) * size;
   if (off(lawful) <= close)
     report.verdict = Verdict::same_solution;
@@ -365,7 +391,9 @@ VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,
   if (answer.break_force && answer.not_this_scene.empty())
     return verify_break(file, answer, options);
   OwnSolution own(file);
-  return Verification(file, answer, options, own).run();
+  VerifyReport report = Verification(file, answer, options, own).run();
+  report.in_few_digits = has_few_digits(answer);
+  return report;
 }
 
 } // namespace lcpush::desktop

@@ -2,6 +2,7 @@
 #include "text/format.hpp"
 #include "verify/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -122,10 +123,11 @@ private:
   BrokenRow worst_;
 
   double per_length(double x) const { return x / scales_.length; }
-  /// Where most of the prescribed motion is missing, that is the unit: no tolerance allows it.
+  /// Where more than a twentieth of the prescribed motion is missing, that is the unit, however
+  /// large the scene's other accelerations are.
   double beside_the_push(double off, double length) const {
     const double push = push_size(scene_);
-    const bool is_large = push > 0 && std::abs(off) * length > push / 2;
+    const bool is_large = push > 0 && std::abs(off) * length > VerifySettings::of_asked * push;
     return is_large ? std::min(push, scales_.acceleration) : scales_.acceleration;
   }
   static std::string axis_words(Index k) {
@@ -205,17 +207,25 @@ double excluded(const Scene<double>& scene, const Scales<double>& scales,
   return std::abs(force) / std::min(pressing, scales.force);
 }
 
-/// Where most of an actuator's load is missing, or a contact goes or slips otherwise by most of the
-/// prescribed motion, that is the unit: no tolerance allows it, however large the scene's other
-/// forces and accelerations are.
+/// Where more than a twentieth of an actuator's load is missing, or a contact goes otherwise by so
+/// much of the prescribed motion, or slips otherwise by half of it, that is the unit, however large
+/// the scene's other forces and accelerations are.
+/// `says_motion`: it is given, and does not follow from forces, whose digits would leave it open.
 Violation<double> beside_what_is_asked(const Scene<double>& scene, const Scales<double>& scales,
-                                       const Answer<double>& answer, Violation<double> row) {
-  if (row.law != Law::grip && !row.moves) return row;
-  const double asked = row.moves ? push_size(scene) : std::abs(scene.actuators[row.of].force);
-  const double off = row.scaled * row.unit;
-  if (!(asked < row.unit) || !(std::abs(off) > asked / 2) || !(asked > 0)) return row;
+                                       const Answer<double>& answer, bool says_motion,
+                                       Violation<double> row) {
+  const bool is_rigid = row.law == Law::rigidity;
+  if (row.law != Law::grip && !row.moves && !is_rigid) return row;
+  double asked = row.law == Law::grip ? std::abs(scene.actuators[row.of].force) : push_size(scene);
+  if (is_rigid && asked > 0)
+    asked = std::max(asked, acceleration_at(scene.points[row.of], answer.acceleration).norm());
+  const bool is_of_slip = row.law == Law::dissipation || row.law == Law::cone;
+  const bool is_strict = says_motion && !is_of_slip;
+  const double off = row.scaled * row.unit, part = is_strict ? VerifySettings::of_asked : 0.5;
+  if (!(asked < row.unit) || !(std::abs(off) > part * asked) || !(asked > 0)) return row;
   row.scaled = off / asked;
-  const bool excludes = row.law != Law::pusher && off > 0; // then the smaller of both
+  // Then the smaller of both.
+  const bool excludes = row.law != Law::pusher && !is_rigid && off > 0;
   if (excludes) row.scaled = std::min(row.scaled, excluded(scene, scales, answer, row));
   row.unit = row.scaled != 0 ? off / row.scaled : asked;
   return row;
@@ -227,9 +237,13 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
                                    const Answer<double>& answer, bool is_completed) {
   std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
   std::vector<bool> any(worst.size());
+  const bool says_motion =
+      given.acceleration ||
+      std::any_of(given.contacts.begin(), given.contacts.end(),
+                  [](const ForeignContact& contact) { return contact.acceleration.has_value(); });
   check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& shown) {
     const Violation<double> row =
-        beside_what_is_asked(push.scene(), push.layout().scales, answer, shown);
+        beside_what_is_asked(push.scene(), push.layout().scales, answer, says_motion, shown);
     const auto law = static_cast<std::size_t>(row.law);
     if (!any[law] || is_worse(row.scaled, std::abs(worst[law].scaled))) worst[law] = row;
     any[law] = true;

@@ -43,7 +43,8 @@ std::string headline(const RawVerifyReport& report) {
 std::string excess(const BrokenRow& row) {
   if (!row.found || !row.lawful) return "";
   const double share = VerifySettings::percent * std::abs((*row.found - *row.lawful) / *row.lawful);
-  const bool is_share = *row.found * *row.lawful > 0;
+  const bool is_share = *row.found * *row.lawful > 0 && // and not of a rounded zero
+                        std::abs(*row.lawful) > VerifySettings::negligible * std::abs(*row.found);
   return ": " + short_number(row.si) + " " + row.unit +
          (is_share ? " (" + brief(share) + " %)" : "") +
          (!is_share                                      ? " off"
@@ -166,7 +167,8 @@ std::string rounding_sentence(const SceneFile& file, const VerifyReport& report)
   const double size = told.found ? std::max(std::abs(*told.found), std::abs(*told.lawful))
                                  : std::max(push_size(file.view()), report.acceleration.norm());
   const bool is_number_off = (told.found || is_motion) && told.si > VerifySettings::rounded * size;
-  if (!report.hint.empty() || is_number_off || !(report.residual <= VerifySettings::rounded))
+  if (!report.in_few_digits || !report.hint.empty() || is_number_off ||
+      !(report.residual <= VerifySettings::rounded))
     return "";
   return "That is within the rounding of " + counted(VerifySettings::told_digits, "digit") +
          ": --tolerance " + next_tolerance(report.residual) + " takes it.\n";

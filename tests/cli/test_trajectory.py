@@ -1,4 +1,5 @@
 """lcpush verify --trajectory: other people's motions, step by step."""
+import csv
 import json
 import math
 
@@ -6,6 +7,8 @@ from tool import SOURCE, ToolTest, main, run, unwrapped
 from scene_tables import finger, table
 
 PIVOT = SOURCE / "fixtures/scenes/pivot.toml"
+POSE = ["time", "x", "y", "z", *(f"r{i}{j}" for i in "123" for j in "123")]
+SPEEDS = ["vx", "vy", "vz", "wx", "wy", "wz"]
 HELD = (
     table("", gravity=[0, -9.81, 0]) +
     table("[object]", mass=0.045, box=[0.04, 0.04, 0.04]) +
@@ -54,7 +57,7 @@ class Trajectory(ToolTest):
                       unwrapped(run("verify", scene, "--trajectory", self.file("m.csv", "time,x,y,z\n0,0,0,0\n0.05,0,0,0\n0.1,0,0,0")).stdout))
         report, code = moves(0.01)
         self.assertEqual((report["verdict"], code, report["overlap"], report["hint"]), ("follows", 0, 0, None))
-        self.assertEqual(moves(0.01, "time,x,y,z,roll,pitch,yaw")[0]["unread"], ["roll", "pitch", "yaw"])
+        self.assertEqual(moves(0.01, "time,x,y,z,mass,pitched")[0]["unread"], ["mass", "pitched"])
 
     def test_wrong_accelerations_are_refused_in_few_frames_and_in_many(self):
         thrown, ball = (SOURCE / f"fixtures/canonical/{name}.toml" for name in ("thrown_up", "bowling_ball"))
@@ -163,6 +166,36 @@ class Trajectory(ToolTest):
         report, _ = self.verdict(scene, self.file("m.csv", "\n".join(",".join(row.split(",")[:13]) for row in rows)))
         self.assertNotIn("digits", report["hint"] or "")
 
+    def test_a_hair_beside_a_face_is_no_fall(self):
+        """A line that ends where its face does, on an object that drifts by 0.1 um."""
+        scene = SOURCE / "fixtures/scenes/straight_slide.toml"
+        rows = ["time,x,y,z"] + [f"{t},{0.05 * t * t},{1e-7 * (1 - math.exp(-10 * t))},0" for t in (k / 100 for k in range(51))]
+        self.assertEqual(self.verdict(scene, self.file("m.csv", "\n".join(rows)))[0]["verdict"], "follows")
+
+    def test_what_goes_on_all_the_time_adds_up(self):
+        """A cube in flight that loses a third of its spin in 0.3 s."""
+        scene, rows = SOURCE / "fixtures/canonical/thrown_up.toml", ["time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"]
+        for spin, verdict in ((0, "follows"), (1, "differs")):
+            motion = rows[:]
+            for t in (0.3 * k / 200 for k in range(201)):
+                angle, rate = 5 * (t - spin * t * t / 2), 5 * (1 - spin * t)
+                motion.append(f"{t},{t},{2 * t - 9.81 * t * t / 2},0,{math.cos(angle / 2)},0,0,{math.sin(angle / 2)},1,{2 - 9.81 * t},0,0,0,{rate}")
+            self.assertEqual(self.verdict(scene, self.file("m.csv", "\n".join(motion)))[0]["verdict"], verdict)
+
+    def test_rotations_that_are_none_have_no_digits(self):
+        """A block that stands still where it has to slide; its times are no milliseconds, whatever obeys over so short a time."""
+        scene = SOURCE / "fixtures/canonical/ramp_20_03.toml"
+        for rotation in ("1,0,0,0,1,0,0,0,1", "1,-1e-13,0,1e-13,1,0,0,0,1"):
+            rows = [",".join(POSE)] + [f"{t},0,0,0,{rotation}" for t in (k / 300 for k in range(101))]
+            report, code = self.verdict(scene, self.file("m.csv", "\n".join(rows)))
+            self.assertEqual((report["verdict"], code, report["hint"]), ("differs", 1, None))
+
+    def test_what_sinks_is_said_to_sink(self):
+        scene, a = SOURCE / "fixtures/canonical/ramp_20_03.toml", 9.81 * (math.sin(math.radians(20)) - 0.3 * math.cos(math.radians(20)))
+        rows = ["time,x,y,z"] + [f"{t},{a * t * t / 2},{-1e-3 * t},0" for t in (k / 200 for k in range(101))]
+        self.assertIn("inside its face; bodies do not go into each other",
+                      unwrapped(run("verify", scene, "--trajectory", self.file("m.csv", "\n".join(rows))).stdout))
+
     def test_wrong_accelerations_add_up(self):
         right = 9.81 - 2 * 0.3 * 2 / 0.2
         for seconds, frames in ((0.06, 61), (0.06, 601), (0.05, 21)):
@@ -224,6 +257,38 @@ class Trajectory(ToolTest):
         report = self.slide([a], 1000, digits=".6f")
         self.assertEqual((report["verdict"], report["coarse"]), ("stopped", True))
         self.assertIn("Places end at 0.001 mm", report["hint"])
+
+    def columns(self, scene, names, digits=None, by=(), *words):
+        """lcpush's own motion: these columns in so many digits, some times a thousand."""
+        rows = list(csv.DictReader(run("move", scene, "--time", 0.5, "--format", "csv", *words).stdout.splitlines()))
+        cell = (lambda name, value: f"{value * (1000 if name in by else 1):.{digits or 17}{'f' if digits else 'g'}}")
+        return self.file("m.csv", "\n".join([",".join(names)] + [",".join(cell(n, float(row[n])) for n in names) for row in rows]))
+
+    def test_rotations_in_the_digits_that_engines_print(self):
+        for digits, verdict, said in ((6, "follows", None), (5, "stopped", "Places end at 0.01 mm"), (4, "stopped", "Places end at 0.1 mm")):
+            for names in (POSE, POSE + SPEEDS):
+                report, _ = self.verdict(PIVOT, self.columns(PIVOT, names, digits, (), "--frames", 201))
+                self.assertEqual(report["verdict"], verdict, (digits, len(names)))
+                self.assertIn(said or "", report["hint"] or "")
+        coin = SOURCE / "fixtures/canonical/spinning_disc.toml"  # which turns in place
+        self.assertIn("Rotations end at 0.0001 and", self.verdict(coin, self.columns(coin, POSE, 4, (), "--frames", 1001))[0]["hint"])
+
+    def test_millimetres_beside_metres_and_milliseconds_are_told(self):
+        for by, words in ((("x", "y", "z"), "look like millimetres"), (("x", "y", "z", "vx", "vy", "vz"), "look like millimetres"),
+                          (("time",), "look like milliseconds")):
+            for name in ("pivot", "tipping"):
+                scene = SOURCE / f"fixtures/scenes/{name}.toml"
+                self.assertIn(words, self.verdict(scene, self.columns(scene, POSE + SPEEDS, None, by, "--frames", 101))[0]["hint"], (by, name))
+
+    def test_a_landing_just_before_a_frame_follows(self):
+        tray, beyond = (SOURCE / f"fixtures/canonical/{name}.toml" for name in ("tray_tips", "beyond_the_grip"))
+        for frames in (201, 401):  # 18 us before the frame at 0.4475 s
+            self.assertEqual(self.verdict(tray, self.columns(tray, POSE + SPEEDS, None, (), "--frames", frames))[0]["verdict"], "follows")
+        for names in (POSE, POSE + SPEEDS):  # where nobody says how far what presses has closed
+            self.assertEqual(self.verdict(beyond, self.columns(beyond, names, None, (), "--frames", 31))[0]["verdict"], "follows")
+        for name, frames in (("pendulum", 61), ("ramp_tips", 61), ("thrown_up", 201)):
+            scene = SOURCE / f"fixtures/canonical/{name}.toml"
+            self.assertEqual(self.verdict(scene, self.columns(scene, POSE, None, (), "--frames", frames))[0]["verdict"], "follows", name)
 
     def test_a_pusher_does_not_go_through_an_object_whenever_the_log_begins(self):
         fence = SOURCE / "fixtures/canonical/fence.toml"
@@ -325,6 +390,7 @@ center = [-0.0109, -0.0158, 0]
                 ("", 1, "no motion"), ("time,x,y,z,qw\n", 1, "half a rotation"),
                 (head + "0,0,0,0,1,0,0\n", 2, "names 8 columns, this one has 7"),
                 (head + "0,0,0,x,1,0,0,0\n", 2, "z: "),
+                ("time,x,y,z,vx,vy,vz\n", 1, "half a velocity"), ("time,x,y,z,roll\n", 1, '"roll": a turn is told by r11'), ("time,x,y,z,edge_fx\n", 1, 'write "edge.fx"'),
                 (head + 2 * "0,0,0,0,1,0,0,0\n" + "1,0,0,0,1,0,0,0\n", 3, "time must grow"),
                 (head + "0,0,0,0,1,0,0,0\n", 1, "two frames or more"),
                 (head + "0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n", 1, "without velocities a motion needs three"),

@@ -41,6 +41,9 @@ struct TrajectoryFrame {
 struct Trajectory {
   std::vector<TrajectoryFrame> frames;
   std::vector<std::string> unread; ///< columns, or keys of frames, that say nothing here
+  /// The last digit of all places, m, and of the numbers of all rotations, a power of ten; 0: they
+  /// have many.
+  double place_digit = 0, turn_digit = 0;
 };
 
 /// Of a JSON object as `lcpush move --json` writes it, or of a CSV file with a head and the

@@ -85,6 +85,7 @@ struct VerifyReport : JudgedAnswer {
   double out_of_plane = 0; ///< N, the same along z of a planar scene, where no law asks for it
   std::string hint; ///< a change of signs, units or axes with which the laws hold; empty: none
   std::vector<std::string> completed;
+  bool in_few_digits = false; ///< no number given has more digits than people print
   double objective = 0;       ///< N m/s^2, what the paper's program minimises
   FinalBasis basis;           ///< other answers next to this one
   bool motion_proved = false; ///< only one motion is possible
