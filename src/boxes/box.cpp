@@ -42,6 +42,7 @@ Rational read(const std::string& text, const SiNumber& number) {
 struct Given {
   std::vector<Parameter> numbers;
   std::vector<std::pair<Rational, Rational>> ends;
+  std::vector<bool> is_fixed; ///< to one value, from which no margin moves it
 };
 
 /// "PATH", "PATH=R%" or "PATH=FROM:TO".
@@ -79,11 +80,14 @@ void read_tolerance(const VariedScene& scene, const std::string& text, Given& gi
                                     [&](const Parameter& one) { return one.path == number.path; });
     if (is_asked && (known != given.numbers.end() || !number.ends.empty())) continue; // it has one
     if (known != given.numbers.end()) {
-      given.ends[static_cast<std::size_t>(known - given.numbers.begin())] = {low, high};
+      const auto at = static_cast<std::size_t>(known - given.numbers.begin());
+      given.ends[at] = {low, high};
+      given.is_fixed[at] = low == high;
       continue;
     }
     given.numbers.push_back(number);
     given.ends.emplace_back(low, high);
+    given.is_fixed.push_back(!is_asked && low == high);
   }
 }
 
@@ -92,7 +96,12 @@ void read_tolerance(const VariedScene& scene, const std::string& text, Given& gi
 VariedScene with_tolerances(VariedScene scene, const std::vector<std::string>& tolerances) {
   Given given;
   for (const std::string& text : tolerances) read_tolerance(scene, text, given);
-  return given.numbers.empty() ? scene : scene.with_ranges(given.numbers, given.ends);
+  if (given.numbers.empty()) return scene;
+  scene = scene.with_ranges(given.numbers, given.ends);
+  for (std::size_t k = 0; k < given.numbers.size(); ++k)
+    if (given.is_fixed[k]) scene = scene.with({given.numbers[k]}, {given.ends[k].first.value()});
+  if (scene.ranges().empty()) refuse(tolerances.front(), "one value is no range");
+  return scene;
 }
 
 Rational BoxSide::low_at(const Rational& margin) const {

@@ -4,6 +4,7 @@
 #include "cone/pusher_cone.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/naming.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "solve/sentence.hpp"
 #include "text/wording.hpp"
 
@@ -77,7 +78,9 @@ private:
   void decide(const Seen& seen) {
     if (std::find(seen.fails.begin(), seen.fails.end(), true) != seen.fails.end()) {
       answer_.verdict = BoxVerdict::never;
-      answer_.reason = slip_words(file_, model_, seen.condition);
+      answer_.reason = model_.presses()
+                           ? slip_words(file_, model_, seen.condition)
+                           : "the pusher presses nowhere, and leaves " + object_name(file_);
     } else if (seen.slips) {
       answer_.verdict = BoxVerdict::may_slip;
       answer_.reason = slip_words(file_, model_, seen.condition);
@@ -217,6 +220,8 @@ BoxAnswer judge_modes(const VariedScene& scene) {
   answer.reason = "contact modes are proved alone of one pusher that sticks in a plane (planar = "
                   "true), beside fingers that press across it";
   if (pushers > 1 || !file.planar) return answer;
+  if (is_driven(file.view(), static_cast<Index>(file.bodies.size()) - 1)) // pushers come last
+    answer.reason = "the pusher's force is given, and contact modes are proved of a given motion";
   try {
     return judge_push(scene);
   } catch (const InputError&) {

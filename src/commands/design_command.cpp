@@ -92,6 +92,7 @@ Result run_design(const Values& values, Listener& listener) {
   scene = with_push(values, values.with_only_pusher(scene, listener));
   const DesignReport report =
       find_design(scene, values.texts("choose"), values.texts("tolerance"), format == "svg");
+  values.doubt(report.doubts);
   SceneFile file = scene.as_given();
   return {report.sticks() && !(report.asks_ranges && report.chosen.verdict != BoxVerdict::always),
           format == "json"   ? design_json(report)

@@ -93,7 +93,7 @@ std::string cone_sentence(const SceneFile& file, const ConeReport& report) {
            "; it does not move in this scene.";
   const ConeReport::Verdict& verdict = *report.verdict;
   if (verdict.leaves)
-    return pusher + " moves away everywhere in this motion: it leaves " + object_name(file) +
+    return pusher + " presses nowhere in this motion: it leaves " + object_name(file) +
            (verdict.sticks ? ", or drags it along by friction; both obey the laws." : ".");
   const std::string angle = brief(std::abs(verdict.margin) * degrees_a_radian) + " degrees";
   if (verdict.sticks)

@@ -31,9 +31,14 @@ bool is_sliver(const ConeSlice& slice, const ConeSlice::Range& range) {
 std::string slice_sentence(const SceneFile& file, const ConeSlice& slice) {
   const std::string& path = slice.variation.parameter.path;
   std::vector<std::pair<double, double>> pieces;
-  bool goes_on = false;
+  bool goes_on = false, at_given = false;
+  const double given = slice.variation.parameter.value;
   for (const ConeSlice::Range& range : slice.ranges) {
-    if (is_sliver(slice, range)) continue;
+    if (is_sliver(slice, range)) {
+      const double width = std::abs(range.to - range.from);
+      at_given = at_given || (range.sticks && std::abs(given - range.from) <= 2 * width);
+      continue;
+    }
     if (range.sticks && goes_on)
       pieces.back().second = range.to;
     else if (range.sticks)
@@ -44,9 +49,10 @@ std::string slice_sentence(const SceneFile& file, const ConeSlice& slice) {
   for (const auto& [from, to] : pieces) sticking.push_back(brief(from) + " to " + brief(to));
   const std::string unit = slice.variation.parameter.unit;
   return file.body_name(slice.pusher) +
-         (sticking.empty() ? " sticks nowhere"
-                           : " sticks for " + path + " of " + listed(sticking, "and") +
-                                 (unit.empty() ? "" : " " + unit)) +
+         (sticking.empty() && at_given ? " sticks for " + path + " of " + brief(given) + " alone"
+          : sticking.empty()           ? " sticks nowhere"
+                                       : " sticks for " + path + " of " + listed(sticking, "and") +
+                                   (unit.empty() ? "" : " " + unit)) +
          ".";
 }
 

@@ -3,6 +3,7 @@
 
 #include "draw/view.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -36,7 +37,8 @@ void refuse_no_cone(const SceneFile& file, Index pusher) {
   if (!file.planar)
     throw InputError(file.lines.file, file.lines.object,
                      "a whole motion cone is one of motions in the plane: say planar = true, if "
-                     "the object moves in the x-y plane; or cut the cone with --vary, such as " +
+                     "the object moves in the x-y plane; or cut the cone by `lcpush cone` with "
+                     "--vary, such as " +
                          possible_cut(file, pusher));
   if (file.pressure == Pressure::rigid)
     throw InputError(file.lines.file, 1,
@@ -52,6 +54,10 @@ void refuse_no_cone(const SceneFile& file, Index pusher) {
     if (b != pusher) continue;
     if (std::abs(body.normal.z()) > cone_settings.typed_direction)
       refuse(file, b, lines.normal, "it pushes across the plane, where nothing moves");
+    if (is_driven(file.view(), b))
+      refuse(file, b, lines.motion,
+             "its force is given, not its motion, which a motion cone is about; `lcpush solve` "
+             "says whether it slips");
     if (body.bilateral)
       refuse(file, b, lines.motion, "it holds the object as well as it pushes: it has no cone");
     if (!(body.friction > 0))

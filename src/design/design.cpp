@@ -349,6 +349,21 @@ std::string binding_words(const DesignSpace& space, const Values& values, const 
   return beyond < 1 ? judge_push(space.box_at(values, beyond)).reason : "";
 }
 
+/// What is odd about the scene as chosen, and was not about the given one.
+std::vector<SceneDoubt> doubts_as_chosen(const SceneFile& given, const std::string& chosen) {
+  const std::vector<SceneDoubt> before = check_scene(given);
+  std::vector<SceneDoubt> doubts;
+  for (SceneDoubt& found : check_scene(parse_scene(chosen, given.lines.file))) {
+    const bool is_old = std::any_of(before.begin(), before.end(), [&](const SceneDoubt& old) {
+      return old.doubt == found.doubt;
+    });
+    if (is_old || found.doubt == Doubt::middle) continue;
+    found.text = "as chosen, " + found.text;
+    doubts.push_back(std::move(found));
+  }
+  return doubts;
+}
+
 } // namespace
 
 DesignReport find_design(const VariedScene& scene, const std::vector<std::string>& choices,
@@ -372,6 +387,7 @@ DesignReport find_design(const VariedScene& scene, const std::vector<std::string
   report.chosen = judge_push(space.box_at(best.values));
   report.binds = binding_words(space, best.values, report.chosen);
   report.scene = space.scene_at(best.values).text_at({}, {});
+  report.doubts = doubts_as_chosen(scene.as_given(), report.scene);
   for (std::size_t j = 0; j < count; ++j) {
     const DesignSpace::Choice& choice = space.choices()[j];
     const Parameter& first = choice.parameters[0];

@@ -3,6 +3,7 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/design.hpp"
 #include "lcpush/desktop/naming.hpp"
+#include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -70,6 +71,7 @@ std::string design_json(const DesignReport& report) {
         .member("value", choice.alone)
         .member("margin", choice.alone_margin);
   });
+  write_warnings(json, report.doubts);
   return json.member("scene", report.scene).end_object().text();
 }
 

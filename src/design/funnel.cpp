@@ -84,6 +84,8 @@ public:
     FunnelReport report;
     report.pusher = pusher_;
     report.box = box;
+    carry(report);
+    report.is_capture_known = report.stays;
     report.from = -capture(-1, report.is_capture_known);
     report.until = capture(1, report.is_capture_known);
     const int sides[] = {box[0] > 0 ? 3 : 1, box[1] > 0 ? 3 : 1, box[2] > 0 ? settings.angles : 1};
@@ -147,6 +149,24 @@ private:
     return result;
   }
 
+  /// Flush in the scene's pose: is it carried so, and how fast does it drift along the edge?
+  void carry(FunnelReport& report) {
+    MotionRun run(file_);
+    if (run.start() != Status::running) return;
+    run.begin_strokes();
+    const double whole = settings.carried * edge_.width(),
+                 step = whole / settings.carried_steps / edge_.speed();
+    double way = 0;
+    for (int k = 0; k < settings.carried_steps && go(run, step) == Status::solved; ++k) {
+      way += step * edge_.speed();
+      const auto [near, far] = edge_.reach(run.stepper().pose());
+      report.stays = report.stays && far - near <= settings.flush * edge_.width();
+      if (!report.stays) return;
+    }
+    if (way > 0) report.drift = edge_.along(run.stepper().pose()) / way;
+    if (std::abs(report.drift) <= settings.flush) report.drift = 0;
+  }
+
   /// Round friction that does not settle in a step mostly does in two shorter ones; pyramids, which
   /// are off by some per cent, have the answer where it does not.
   static Status go(MotionRun& run, double h, int halvings = settings.step_halvings) {
@@ -175,7 +195,7 @@ private:
   }
 
   void sum_up(FunnelReport& report) const {
-    report.is_flush = true;
+    report.is_flush = report.stays;
     double first = HUGE_VAL;
     report.along_from = HUGE_VAL;
     report.along_until = report.stop = -HUGE_VAL;
@@ -183,8 +203,11 @@ private:
       report.is_flush = report.is_flush && push.is_flush;
       first = std::min(first, push.contact);
       report.stop = std::max(report.stop, push.contact + push.way);
-      report.along_from = std::min(report.along_from, push.along);
-      report.along_until = std::max(report.along_until, push.along);
+    }
+    for (const FlushPush& push : report.pushes) {
+      const double along = push.along + report.drift * (report.stop - push.contact - push.way);
+      report.along_from = std::min(report.along_from, along);
+      report.along_until = std::max(report.along_until, along);
     }
     report.way = report.stop - first;
   }

@@ -43,6 +43,9 @@ const FlushPush* first_lost(const FunnelReport& report) {
 
 std::string answer(const SceneFile& file, const FunnelReport& report) {
   const std::string edge = file.body_name(report.pusher), object = object_name(file);
+  if (!report.stays)
+    return "Flush with " + edge + " " + object + " does not stay so: it turns off " + edge +
+           " again, from whatever pose it comes.";
   const FlushPush* const lost = first_lost(report);
   if (lost == nullptr)
     return "From every pose tried " + box_text(report.box) + " " + object + " ends flush with " +
@@ -74,9 +77,11 @@ Fact goal_fact(const FunnelReport& report, const EdgePose& goal) {
   if (goal[0] < report.stop)
     text += "not all are flush there, but only from " + millimetres(report.stop) +
             " on: let the object begin farther back";
-  else
-    text += "the object is then " + place(report.along_from - goal[1]) + " to " +
-            place(report.along_until - goal[1]) + " beside the goal, along the edge";
+  else {
+    const double drifts = report.drift * (goal[0] - report.stop) - goal[1];
+    text += "the object is then " + place(report.along_from + drifts) + " to " +
+            place(report.along_until + drifts) + " beside the goal, along the edge";
+  }
   return {"Goal", text};
 }
 
@@ -86,13 +91,17 @@ std::string funnel_text(const SceneFile& file, const FunnelReport& report,
                         const std::optional<EdgePose>& goal) {
   const std::string range = "from " + degrees(report.from) + " to " + degrees(report.until) +
                             " degrees, in the middle of the box";
-  std::vector<Fact> facts{{"Turns to it", report.is_capture_known      ? range
+  std::vector<Fact> facts{{"Turns to it", !report.stays                ? "not known from where"
+                                          : report.is_capture_known    ? range
                                           : report.from < report.until ? "at least " + range
                                                                        : "not known from where"}};
   if (report.is_flush) {
     facts.push_back({"All flush", "with the edge " + millimetres(report.stop) +
                                       " beyond its place in the scene"});
     facts.push_back({"Then left", left_text(report)});
+    if (report.drift != 0)
+      facts.push_back({"It drifts",
+                       millimetres(report.drift) + " along the edge for each m that this goes on"});
     if (goal) facts.push_back(goal_fact(report, *goal));
   }
   facts.push_back({"Tried", counted(static_cast<Index>(report.pushes.size()), "pose") +
@@ -107,6 +116,8 @@ std::string funnel_json(const SceneFile& file, const FunnelReport& report) {
       .member("pusher", file.body_name(report.pusher))
       .member("capture", std::vector<double>{report.from, report.until})
       .member("capture_known", report.is_capture_known)
+      .member("stays", report.stays)
+      .member("drift", report.drift)
       .member("way", when(report.is_flush, report.way))
       .member("stop", when(report.is_flush, report.stop));
   json.member("along",

@@ -28,6 +28,9 @@ struct DesignSettings {
   // forms to 0.1 per cent.
   int angles = 5, flush_steps = 100, most_flush_steps = 1000, capture_halvings = 10;
   double flush = 1e-6, turned_away = 2e-3;
+  /// Of the width: so far, in so many steps, what is flush shows whether it stays so.
+  double carried = 0.1;
+  int carried_steps = 10;
   /// Of a step in which round friction does not settle: the first of two in its place, so often. Of
   /// 24 pushes of turns up to 0.36 rad fourteen had such steps.
   double first_part = 0.45;

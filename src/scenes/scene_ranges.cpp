@@ -41,7 +41,7 @@ public:
                            "] is a range that goes backwards; the smaller number comes first");
     TomlArray ends = std::move(*list);
     set_number(value, (*low + *high) / Rational(2));
-    value.range = std::move(ends);
+    if (*low < *high) value.range = std::move(ends); // one value is as good as plain
   }
 
 private:

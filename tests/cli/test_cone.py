@@ -78,7 +78,7 @@ class Cone(unittest.TestCase):
         self.assertIn("the box slips over east along +y", result.stdout)
         self.assertTrue(all(len(line) <= 80 for line in result.stdout.splitlines()))
         away = run(SQUARE, "--pusher", "east", "--twist", "1 0 0")
-        self.assertIn("moves away everywhere", away.stdout)
+        self.assertIn("presses nowhere in this motion", away.stdout)
 
     def test_the_picture_is_an_image_with_words(self):
         root = ElementTree.fromstring(run(SQUARE, "--pusher", "east", "--format", "svg").stdout)
@@ -107,6 +107,8 @@ class Cone(unittest.TestCase):
             ((("grip_force = 50", ""),), "no finger presses on the object across the plane"),
             ((("friction = 0.9\nvelocity = [-0.01", "friction = 0\nvelocity = [-0.01"),),
              "without friction"),
+            ((("friction = 0.9\nvelocity = [-0.01", "friction = 0.9\nnormal_force = 5\nvelocity = [0"),),
+             "its force is given, not its motion"),
         ]
         for changes, words in refused:
             result = run("-", "--pusher", "east", text=square(*changes))

@@ -56,6 +56,20 @@ class Funnel(ToolTest):
                 self.assertLess(abs(push["way"] / way - 1), 0.001)
             self.assertAlmostEqual(answer["along"][1], 0, 9)
 
+    def test_what_slips_off_its_place_once_it_is_flush(self):
+        """A wall of little friction lets the weight slip, as `move` has it; a heavy box turns off a rough one."""
+        block = (SOURCE / "docs/check/block.toml").read_text()
+        slippery = block.replace("friction = 0.3\nvelocity", "friction = 0.1\nvelocity")
+        answer = self.funnel(slippery, "0.001 0.001 0")
+        moved = json_of("move", "-", "--time", 1, text=slippery)["frames"][-1]["position"]
+        self.assertTrue(answer["stays"])
+        self.assertAlmostEqual(answer["drift"], moved[1] / moved[0], delta=0.002)
+        self.assertLess(answer["drift"], -0.1)
+        heavy = block.replace("120 g", "500 g").replace("2.9 N", "4.5 N").replace("friction = 0.3\nvelocity", "friction = 0.9\nvelocity")
+        off = self.funnel(heavy, "0.001 0.001 0", status=1)
+        self.assertEqual((off["stays"], off["flush"], off["capture_known"]), (False, False, False))
+        self.assertEqual(self.funnel(block, "0.001 0.001 0")["drift"], 0)
+
     def test_it_turns_to_the_edge_while_the_corner_is_before_the_middle_of_friction(self):
         for width, depth, friction in ((0.1, 0.03, 0), (0.04, 0.08, 0.5)):
             low, high = self.funnel(fence(width, depth, friction), "0 0 0.1")["capture"]
@@ -199,7 +213,7 @@ class Design(ToolTest):
     def test_what_is_said(self):
         words = ("design", NARROW, "--choose", "wall.center[1]=-0.012:0.012", "--choose", "*.grip_force=10:40")
         answer = json_of(*words)
-        self.assertEqual(list(answer), ["choice", "margin", "binds", "alone", "scene"])
+        self.assertEqual(list(answer), ["choice", "margin", "binds", "alone", "warnings", "scene"])
         self.assertEqual([list(one) for one in answer["alone"]], 2 * [["path", "value", "margin"]])
         text = run(*words)
         self.assertEqual(text.returncode, 0)
@@ -233,6 +247,11 @@ class Design(ToolTest):
             self.assertGreaterEqual(found["margin"], max(one["margin"] for one in found["alone"]) * (1 - 1e-6), words)
         self.assertGreater(json_of("design", NARROW, "--choose", "*.shift[0]=-0.02:0.02", "--choose",
                                    "wall.angular_velocity[2]=-0.3:0.3")["margin"], 0.16)
+
+    def test_a_wall_within_the_object_is_told(self):
+        words = ("design", NARROW, "--choose", "wall.center[0]=-0.03:-0.01")
+        self.assertEqual([warning["code"] for warning in json_of(*words)["warnings"]], ["outside_object"])
+        self.assertIn("as chosen, pusher", run(*words).stderr)
 
     def test_mistakes(self):
         for choice, said in (("wall.width=-0.02:0.01", "a width is larger than 0"), ("wall.fricton=0.1:0.5", 'did you mean "wall.friction"'), ("wall.friction=0.5:0.1", "the smaller number comes first"),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lcpush/desktop/boxes.hpp"
+#include "lcpush/desktop/scene_check.hpp"
 
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct DesignReport {
   bool asks_ranges = false; ///< tolerances of a size, not of the margin alone
   std::string binds; ///< a clause: what happens first beyond the margin; of none that sticks why
   std::string scene; ///< as a file's text
+  std::vector<SceneDoubt> doubts; ///< about the scene as chosen, that the given one does not raise
 
   bool sticks() const { return chosen.margin ? *chosen.margin > 0 : chosen.is_indifferent; }
 };

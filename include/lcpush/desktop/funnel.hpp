@@ -29,15 +29,17 @@ struct FlushPush {
 
 struct FunnelReport {
   Index pusher = -1;
-  EdgePose box{};                ///< half the sides of the box of poses
-  double from = 0, until = 0;    ///< rad: from angles between these an object in the middle of the
-                                 ///< box turns to the edge
-  bool is_capture_known = true;  ///< beyond them it turns away; else that is not known
+  EdgePose box{};               ///< half the sides of the box of poses
+  double from = 0, until = 0;   ///< rad: from angles between these an object in the middle of the
+                                ///< box turns to the edge
+  bool is_capture_known = true; ///< beyond them it turns away; else that is not known
+  bool stays = true;            ///< flush in the scene's pose, it is carried so
+  double drift = 0; ///< m along the edge for each m that the edge goes, while it is flush
   std::vector<FlushPush> pushes; ///< from the corners of the box, and between
   bool is_flush = false;         ///< all are, then
   double way = 0;                ///< m, from the first touch of any to where all are flush
   double stop = 0;               ///< m, where the edge is then, beyond its place in the scene
-  double along_from = 0, along_until = 0; ///< m, between which the object ends along the edge
+  double along_from = 0, along_until = 0; ///< m, between which the object is then along the edge
 };
 
 /// The scene's text with its pusher's points on the object: the edge has no end.
