@@ -10,6 +10,7 @@ SAYS = {"answer": "These numbers solve every law of the problem without any erro
 UNITS = {name: F(10)**power for power, names in {
     3: "kN", 0: "kg,m,N,N m,s,rad,m/s,rad/s,m/s^2,rad/s^2,kg m^2", -2: "cm,cm/s,cm/s^2", -3: "g,mm,mN,N mm,ms,mm/s,mm/s^2",
     -6: "um"}.items() for name in names.split(",")} | {name: F(PI, 180 * UNIT) for name in ("deg", "deg/s", "deg/s^2")}
+SYMBOLS = str.maketrans({"²": "^2", "°": "deg", "µ": "u", "μ": "u", "·": " ", "*": " "})  # in typed units
 def require(truth, why):
     if not truth: raise ValueError(why)
 def dot(a, b): return sum((x * y for x, y in zip(a, b) if x and y), F(0))
@@ -34,7 +35,6 @@ def circle(turn):  # (cos, sin) of 2 pi turn: a fraction on the unit circle
         term, k = term * angle // UNIT // (k + 1), k + 1
     t = F(sums[1] * UNIT // sums[0], UNIT).limit_denominator(10**9)
     return (1 - t*t) / (1 + t*t), 2*t / (1 + t*t)
-
 def patch(body, t, o):  # its points
     shape, k, c = body["shape"], body.get("points"), body.get("center")
     if shape in ("point", "points") or k == 1: return k if shape == "points" else [c]
@@ -59,7 +59,8 @@ def si(value):  # "120 g" is 3/25
         value = [v if re.search("[a-df-z]", v) else v + re.search(r"\s*[a-z]*$", value)[0] for v in value.split("x")]
     if isinstance(value, list): return [si(v) for v in value]
     parts = isinstance(value, str) and re.fullmatch(r"\s*\+?(-?\d[\d.]*(?:[eE][+-]?\d+)?)\s*(\D.*?)\s*", value)
-    return F(parts[1]) * UNITS[parts[2]] if parts and parts[2] in UNITS else value
+    unit = parts and parts[2].translate(SYMBOLS).replace("s2", "s^2").replace("Nm", "N m")
+    return F(parts[1]) * UNITS[unit] if unit in UNITS else value
 def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face, along = "y"
     axis, sign = "xyz".index(body["on"][1]), F(body["on"][0] + "1")
     offset = list(body.get("center", (0, 0)))
@@ -155,7 +156,6 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
         L[slip] = {i: mu for i in normals}
         for j in frictions: L[slip][j], L[j][slip] = F(-1), F(1)
     return L, q0, q1 + [F(0)] * (len(L) - pairs), range(pairs, len(L)), cones
-
 def matrix(text):  # Matrix Market, real general
     lines = [line.split() for line in text.splitlines() if line.strip()]
     require(lines[0][3:] in (["real", "general"], ["integer", "general"]), "another kind of matrix")

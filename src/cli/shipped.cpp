@@ -180,7 +180,7 @@ ShellCommand new_command() {
             {"mass", "MASS", "\"120 g\" (of your size: that of aluminium)"},
             {"pads", "SIZE", "of the fingertips: \"20 mm x 10 mm\", or round \"8 mm\""},
             {"grip", "FORCE",
-             "\"20 N\", of each finger (four times what holds the weight; to roll, less)"},
+             "\"20 N\", of each finger (four times what holds the weight or more; to roll, less)"},
             {"friction", "NUMBER", "of the fingertips (0.5)"},
             commands::output_option}},
           run_new};

@@ -19,6 +19,7 @@ constexpr double earth = 9.81;     // m/s^2
 constexpr double aluminium = 2700; // kg/m^3, where nobody says how heavy the object is
 constexpr double usual_pad = 0.01; // m
 constexpr double too_large = 3;    // m, to be gripped
+constexpr double sheet_friction = 0.5;
 
 /// A number with its unit, as it was typed.
 struct Quantity {
@@ -73,13 +74,19 @@ public:
     const NumberText friction = read_finite_number(given_.friction);
     if (friction.error || !(friction.value > 0))
       refuse("friction", given_.friction, "a coefficient such as 0.5 is meant");
-    const double weight = mass_.si * earth, holds = weight / (2 * friction.value);
-    // Four times what holds the weight; or little enough to roll.
+    const double weight = mass_.si * earth, mu = friction.value, holds = weight / (2 * mu),
+                 rolled = hardest_to_roll(weight, mu);
+    if (rolls && !(mu < 1))
+      refuse("friction", given_.friction, "fingertips so rough do not let it roll; 0.3 would");
+    // Four times what holds the weight, or what slides straight; or little enough to roll.
     if (rolls) grip_comment_ += "; more slips, the sheet bears the rest";
-    if (given_.grip.empty()) given_.grip = in_digits(rolls ? 0.8 * weight : 4 * holds, 2) + " N";
+    if (given_.grip.empty())
+      given_.grip =
+          in_digits(rolls ? 0.8 * rolled : std::max(4 * holds, 1.1 * straight(weight, mu)), 2) +
+          " N";
     grip_ = only("grip", given_.grip, "[object]\n[[finger]]\ngrip_force", "20 N");
-    if (rolls ? grip_.si > weight : grip_.si < holds)
-      grip_comment_ = rolls ? "too hard to roll; " + in_digits(0.8 * weight, 2) + " N would"
+    if (rolls ? grip_.si > rolled : grip_.si < holds)
+      grip_comment_ = rolls ? "too hard to roll; " + in_digits(0.8 * rolled, 2) + " N would"
                             : "too weak: its weight takes " + brief(holds) + " N";
   }
 
@@ -106,6 +113,21 @@ public:
   }
 
 private:
+  /// The grip from which on a sheet slips: slipping fingers resist with 2 mu g, which the sheet's
+  /// friction turns against, pressed by the weight and by what the uneven fingers pull down. From
+  /// mu = 1 on the sheet pushes one finger away instead.
+  static double hardest_to_roll(double weight, double mu) {
+    return sheet_friction * weight / (2 * mu * (1 - sheet_friction * mu));
+  }
+
+  /// The grip from which on a wall on the whole end pushes straight: its rim bears the moment of
+  /// the weight, half a length away, with the 2 mu g that it takes to slide.
+  double straight(double weight, double mu) const {
+    if (given_.push != "slide") return 0;
+    const double length = size_[is_box_ ? 0 : 1].si, height = size_[is_box_ ? 1 : 0].si;
+    return weight * length / height / (2 * mu);
+  }
+
   double usual_mass() const {
     const double d = size_[0].si;
     const double volume = is_box_ ? d * size_[1].si * size_[2].si : M_PI / 4 * d * d * size_[1].si;
@@ -217,7 +239,7 @@ private:
       return is + "\"sheet\"\nshape = \"line\"\nends = " +
              list({list({"0", size_[0].times(-0.5), pads_[0].times(-0.5)}),
                    list({"0", size_[0].times(-0.5), pads_[0].times(0.5)})}) +
-             "\nnormal = [0, 1, 0]\nfriction = 0.5\n" + along;
+             "\nnormal = [0, 1, 0]\nfriction = " + printed("%g", sheet_friction) + "\n" + along;
     if (given_.push == "slide")
       return is + "\"wall\"\n" +
              (is_box_

@@ -27,7 +27,7 @@ Schema body_keys(const Schema& own) {
       {"size", "[0.01, 0.02]", "m"},
       {"points", "[[0, 0, 0], [0.01, 0, 0]]", "m"},
       {"weights", "[1, 2]  # shares of the patch's force"},
-      {"normal", "[0, 0, -1]"},
+      {"normal", "[0, 0, -1]  # into the object"},
       {"on", "\"+z\""},
       {"frame", "\"scene\""},
       {"along", "\"y\""},
@@ -100,7 +100,7 @@ const Section* section_called(const std::string& name) {
 
 /// Words of other trades and programs for keys.
 struct Synonym {
-  const char *said, *meant;
+  const char *said, *meant, *note = "";
 };
 constexpr Synonym synonyms[] = {
     {"mu", "friction"},
@@ -121,6 +121,9 @@ constexpr Synonym synonyms[] = {
     {"dimensions", "box"},
     {"shape", "box"},
     {"size", "box"},
+    {"diameter", "radius", ", half of it"},
+    {"cylinder_diameter", "cylinder_radius", ", half of it"},
+    {"sphere_diameter", "sphere_radius", ", half of it"},
 };
 
 } // namespace
@@ -138,7 +141,7 @@ std::string key_hint(const Schema& schema, const std::string& word) {
   for (const Key& key : schema) known.push_back(key.name);
   for (const Synonym& synonym : synonyms)
     if (word == synonym.said && std::find(known.begin(), known.end(), synonym.meant) != known.end())
-      return suggestion(synonym.meant, known);
+      return std::string(" (did you mean \"") + synonym.meant + "\"" + synonym.note + "?)";
   if (std::string near = suggestion(word, known); !near.empty()) return near;
   if (key_called("", word) != nullptr) return "; it stands at the top, before the first table";
   for (const Section& section : sections())

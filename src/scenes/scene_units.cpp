@@ -107,6 +107,19 @@ std::string meant(const std::vector<std::string>& si) {
   return "; " + (names.empty() ? "a number without a unit" : listed(names, "or")) + " is meant";
 }
 
+/// The unit's name as `units` has it: of symbols that people type or paste.
+std::string plain_unit(std::string_view typed) {
+  constexpr const char* spelled[][2] = {
+      {"\xC2\xB2", "^2"}, {"\xC2\xB0", "deg"}, {"\xC2\xB5", "u"}, {"\xCE\xBC", "u"},
+      {"\xC2\xB7", " "},  {"*", " "},          {"s2", "s^2"},     {"Nm", "N m"},
+  };
+  std::string name(typed);
+  for (const auto& [symbol, plain] : spelled)
+    if (const std::size_t at = name.find(symbol); at != std::string::npos)
+      name.replace(at, std::string_view(symbol).size(), plain);
+  return name;
+}
+
 /// Why "20 mm" is no mass.
 std::string objection(const std::string& number, const std::string& name,
                       const std::vector<std::string>& si) {
@@ -131,7 +144,7 @@ SiNumber in_si(std::string_view text, const std::vector<std::string>& si) {
   const auto [length, is_whole] = decimal_prefix(plain);
   if (!is_whole) return {};
   const std::string number(plain.substr(0, length));
-  const std::string name(trimmed(plain.substr(length)));
+  const std::string name = plain_unit(trimmed(plain.substr(length)));
   const auto* const unit = std::find_if(std::begin(units), std::end(units), [&](const Unit& one) {
     return name == one.name && is_meant(one, si);
   });

@@ -37,6 +37,10 @@ std::string letters_of(std::string_view word) {
   return letters;
 }
 
+/// Words of other people for ours.
+constexpr const char* others_words[][2] = {
+    {"circle", "disc"}, {"square", "rectangle"}, {"duration", "--time"}, {"tex", "latex"}};
+
 } // namespace
 
 InputError::InputError(const std::string& file, int line, const std::string& message)
@@ -69,14 +73,21 @@ std::string shown(double number) {
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   const std::string letters = letters_of(word);
+  for (const auto& [other, ours] : others_words)
+    if (letters == other && std::find(known.begin(), known.end(), ours) != known.end())
+      return std::string(" (did you mean \"") + ours + "\"?)";
   if (letters.empty() || letters.size() > longest_shown) return "";
   // Half of the letters wrong, or more than three, is another word rather than a slip.
   std::size_t nearest = std::clamp<std::size_t>((letters.size() - 1) / 2, 1, 3) + 1;
   std::string best, longer;
+  bool is_last = false;
   for (const std::string& candidate : known) {
     const std::string its_letters = letters_of(candidate);
-    if (letters.size() >= least_part && its_letters.find(letters) != std::string::npos)
-      longer = candidate;
+    if (const std::size_t at = its_letters.rfind(letters);
+        letters.size() >= least_part && at != std::string::npos && !is_last) {
+      longer = candidate; // rather where the word is the last part of a path
+      is_last = at + letters.size() == its_letters.size();
+    }
     const std::size_t distance = edit_distance(letters, its_letters);
     if (distance >= nearest) continue;
     nearest = distance;

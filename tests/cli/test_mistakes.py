@@ -65,6 +65,8 @@ COMMANDS = [
     ("sweep good.toml --vary facets=4:8", "good.toml: facets counts something", "(--each facets=4,8,16), not a range"),
     ("sweep good.toml --vary *.grip_force=5:40 --steps 0", "--steps is a whole number from 2"),
     ("sweep good.toml --vary *.grip_force=5:40 --pressure ridgid", '(did you mean "rigid"?)'),
+    ("solve good.toml --set left.diameter=0.01", 'no key "diameter" (did you mean "radius", half of it?)'),
+    ("solve good.toml --set left.shape=circle", '(did you mean "disc"?)'), ("move good.toml --duration 1", '(did you mean "--time"?)'),
     ("verify good.toml", "two files are needed: SCENE.toml ANSWER.json"),
     ("verify good.toml empty.json", "empty.json:1: nothing to verify"),
     ("verify good.toml open.json", "open.json:1: expected , or ] in an array"),

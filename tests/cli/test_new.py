@@ -29,7 +29,7 @@ REFUSED = [
     ('box --pads "50 mm"', "larger than where they press, 100 mm x 30 mm"), ('box --pads "1 mm x 1 mm x 1 mm"', "a pad has two"),
     ("box --friction 50", "neither percent nor an angle"), ("box --friction half", "a coefficient such as 0.5"),
     ('box --grip "2 kg"', "a mass; N, mN or kN is meant"), ("box --push fall", "slide, pivot, roll or none"),
-    ("box --push roll --mass 1kg", "a box does not roll"), ("bx", 'not "bx" (did you mean "box"?)'), ("", "box or cylinder"),
+    ("cylinder --push roll --friction 1.2", "so rough do not let it roll; 0.3 would"), ("box --push roll --mass 1kg", "a box does not roll"), ("bx", 'not "bx" (did you mean "box"?)'), ("", "box or cylinder"),
 ]
 COMMANDS = ["solve", "break", "hold", "move --time 0.05", "sweep --vary *.friction=0.3:0.5 --steps 2", "spread --paths",
             "matrices", "cone", 'plan --to "0.001 0 0"', "report", "play", "export"]
@@ -83,6 +83,17 @@ class New(ToolTest):
             text = run("new", "box", "--push", push, "--size", "80 mm x 40 mm x 20 mm").stdout
             twist = json_of("solve", "-", text=text)["object"]["acceleration"]
             self.assertGreater(abs(twist[column]), least / 10, push)
+
+    def test_what_slides_goes_straight(self):
+        for words in (("cylinder",), ("cylinder", "--size", "12 mm x 150 mm", "--friction", "0.3"), ("box", "--size", "200 mm x 20 mm x 10 mm")):
+            self.assertIn(" slides along x, every finger point slips and wall sticks.", unwrapped(run("solve", "-", text=run("new", *words).stdout).stdout))
+
+    def test_a_cylinder_rolls_whatever_its_fingertips(self):
+        for friction in ("0.15", "0.4", "0.7", "0.95"):
+            text = run("new", "cylinder", "--push", "roll", "--friction", friction).stdout
+            solved = json_of("solve", "-", text=text)
+            self.assertLess(solved["object"]["acceleration"][3 + 2] * 0.02, 0.011, friction)
+            self.assertGreater(abs(solved["object"]["acceleration"][3 + 2]) * 0.02, 0.0099, friction)
 
     def test_light_parts_in_a_hard_grip_solve(self):
         """The points of a disc that lie beside the centre of the turn hardly slip."""

@@ -20,6 +20,8 @@ UNITS = [
     ("ends = [[-0.04, -0.015, 0], [-0.04, 0.015, 0]]", 'ends = [["-40 mm", -0.015, 0], ["-4 cm", "15 mm", 0]]'),
     ("velocity = [0.01, 0, 0]", 'velocity = ["10 mm/s", 0, "0 cm/s"]'),
     ("box = [0.08, 0.04, 0.02]", 'box = "80 mm x 4 cm x 0.02 m"'), ("box = [0.08, 0.04, 0.02]", 'box = "80x40x20 mm"'), ("until = 0.25", 'until = "250 ms"'),
+    ("gravity = [0, -9.81, 0]", 'gravity = [0, "-9.81 m/s²", "0 m/s2"]'), ("moment = [0, 0, 0.01]", 'moment = ["0 N*m", "0 Nm", "10 N·mm"]'),
+    ("box = [0.08, 0.04, 0.02]", 'box = ["80000 µm", "40000 μm", "20 mm"]'),
     ("until = 0.25", 'until = "0.25 s"'), ("angular_velocity = [0, 0, 0.5]", 'angular_velocity = [0, 0, "0.5 rad/s"]'),
 ]
 SCENE = (
@@ -50,7 +52,7 @@ REFUSED = [
     ('mass = "0.12"', "mass = 0.12", 3, 'the unit is missing; write 0.12 without quotes, or "0.12 kg"'),
     ('mass = "heavy"', "mass = 0.12", 3, 'mass must be a number, got the text "heavy"'),
     ('mass = "1e400 g"', "mass = 0.12", 3, "too large or too small"),
-    ('moment = [0, 0, "1 N*m"]', "moment = [0, 0, 0.01]", 5, '"N*m" is unknown; N m or N mm is meant'),
+    ('moment = [0, 0, "1 N/m"]', "moment = [0, 0, 0.01]", 5, '"N/m" is unknown; N m or N mm is meant'),
     ('moment = [0, 0, "1 N"]', "moment = [0, 0, 0.01]", 5, "a force; N m or N mm is meant"),
     ('friction = "0.5 N"', "friction = 0.5", 12, "friction must be a number"),
     ('velocity = ["10 mm/s^2", 0, 0]', "velocity = [0.01, 0, 0]", 27, "an acceleration; m/s, cm/s or mm/s is meant"),
@@ -105,6 +107,7 @@ class Units(SceneTest):
         self.assertIn("the angular_velocity of pusher \\\"wall\\\" is irrational",
                       run("pivots", "-", "--exact", "--json", text=turns).stdout)
         self.certified(turns)
+        self.assertEqual(matrices(turns), matrices(turns.replace("30 deg", "30°")))
         plane = [matrices("planar = true\n" + SCENE.replace("[0, 0, 0.5]", value))
                  for value in ('"0.5 rad/s"', "[0, 0, 0.5]")]
         self.assertEqual(plane[0], plane[1])
