@@ -161,6 +161,28 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
         std::filesystem::equivalent(file, *text("output"), ignored))
       throw UsageError("--output is " + desktop::quoted(file) +
                        ", which is read; write to another file");
+  if (has("output")) follow_ending();
+}
+
+/// Where no format is given, the file's name says it.
+void Arguments::follow_ending() {
+  if (has("format") || command().find("format") == nullptr) return;
+  constexpr const char* known[][2] = {{".svg", "svg"}, {".html", "html"}, {".json", "json"},
+                                      {".csv", "csv"}, {".tex", "latex"}, {".toml", "toml"}};
+  const std::string path = *text("output");
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  for (const auto& [written, format] : known) {
+    if (ending != written) continue;
+    const std::vector<std::string>& formats = command().formats;
+    if (std::find(formats.begin(), formats.end(), format) == formats.end())
+      throw UsageError("-o " + desktop::quoted(path) + ": " + command().name + " writes " +
+                       listed(formats, "or") + ", not " + format);
+    values_["format"] = {format};
+    if (format != formats.front()) command_line_ += std::string(" --format ") + format;
+  }
 }
 
 std::vector<std::string> Arguments::texts(const std::string& option) const {

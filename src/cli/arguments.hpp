@@ -76,6 +76,7 @@ private:
   mutable std::vector<std::string> scenes_; ///< texts: standard input is read only once
   mutable std::vector<std::string> doubts_;
 
+  void follow_ending();
   void read_option(const std::vector<std::string>& words, std::size_t& at);
   bool is_typed() const { return has("M") || has("q"); }
   std::vector<std::string> matrix_files() const;

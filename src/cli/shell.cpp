@@ -43,7 +43,7 @@ void tell(const std::string& sentence) {
 
 void write_output(const Arguments& arguments, const std::string& text) {
   lift_time_limit();
-  if (const std::optional<std::string> path = arguments.text("output")) {
+  if (const std::optional<std::string> path = arguments.text("output"); path && *path != "-") {
     refuse_foreign_format(*path);
     write_file(*path, text);
     const bool is_page = text.compare(0, 9, "<!DOCTYPE") == 0;

@@ -6,7 +6,10 @@
 #include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/matrices.hpp"
 #include "lcpush/desktop/report.hpp"
+#include "lcpush/desktop/spread.hpp"
+#include "text/wording.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace lcpush::commands {
@@ -52,6 +55,46 @@ std::string with_box(std::string text, const std::string& format, const SceneFil
   return text + "\n" + modes_sentence(file, box) + "\n";
 }
 
+/// Feet, rails of two points, corners: rigid bodies that stand still and bear the object at so few
+/// points that no law of pads says how they share it; none where patches press beside them.
+std::vector<Index> stiff_supports(const SceneFile& file) {
+  constexpr Index least_open = 4, few = 3; // points on a plane in space
+  std::vector<Index> supports;
+  Index points = 0;
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
+    const Body<double>& body = file.body(b);
+    if (body.point_count > few) return {};
+    if (body.role != Role::finger || is_driven(file.view(), b) || body.preload > 0) continue;
+    supports.push_back(b);
+    points += body.point_count;
+  }
+  return points >= least_open && supports.size() > 1 ? supports : std::vector<Index>();
+}
+
+/// "The laws leave open how fl, fr and rl share their load"; nothing where they do not.
+std::string sharing_sentence(const SceneFile& file) {
+  const std::vector<Index> supports = stiff_supports(file);
+  if (supports.empty()) return "";
+  SpreadOptions options;
+  options.covering_vectors = 4; // enough to see that there is another answer
+  options.enumeration = Enumeration::none;
+  options.most_faces = 16;
+  const SpreadReport spread = find_spread(file, options);
+  if (spread.status != Status::solved) return "";
+  std::vector<std::string> names;
+  for (const Index b : supports) {
+    const auto is_open = [&](Index i) {
+      return !is_single(spread.contacts[static_cast<std::size_t>(i)].normal, same_force(spread));
+    };
+    const Indices points = points_of(file.body(b));
+    if (std::any_of(points.begin(), points.end(), is_open)) names.push_back(file.body_name(b));
+  }
+  return names.size() < 2 ? ""
+                          : "\nThe laws leave open how " + listed(names, "and") +
+                                " share their load: one way of it is shown.\nSee: lcpush spread " +
+                                file.lines.file + "\n";
+}
+
 Result run_solve(const Values& values, Listener& listener) {
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
@@ -71,6 +114,8 @@ Result run_solve(const Values& values, Listener& listener) {
                          ? history_text(format, solver, report->status, report->history)
                      : format == "json" ? solve_json(asked->file, hold, *report)
                                         : solve_text(asked->file, hold, *report, values.telling());
+  if (!values.has("history") && format == "text" && report->status == Status::solved)
+    text += sharing_sentence(asked->file);
   if (box && !values.has("history")) text = with_box(std::move(text), format, asked->file, *box);
   return {report->status == Status::solved && (!box || box->verdict == BoxVerdict::always),
           std::move(text), [asked, report, &values] {

@@ -157,7 +157,11 @@ std::string verdict(const PivotTrace& trace) {
     return "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
   return std::string("Not solved (") + (trace.cycle ? "cycle" : status_text(trace.status)) +
          ") after " + count + ": " + trace.reason + ".\n" +
-         (trace.ray ? trace.ray->words + "\n" : "");
+         (trace.ray ? trace.ray->words + "\n" : "") +
+         (trace.status == Status::ray && !trace.is_physical
+              ? "That need not mean that there is no solution: --cover tries another way, lcp ten, "
+                "and lcp --all finds every solution.\n"
+              : "");
 }
 
 /// What the answer says of each body and actuator: its points' normal forces together, and how many

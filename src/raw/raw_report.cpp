@@ -114,15 +114,15 @@ std::string raw_text(const RawProblem& problem, const RawAnswer& answer) {
   std::string text;
   if (answer.inconsistent_row >= 0) return "There is no solution: " + reason_of(answer) + ".\n";
   if (answer.status != Status::solved) {
-    text = "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
-           ".\n" +
-           (answer.covers == 0 ? "Sweeps: " + std::to_string(answer.sweeps)
-                               : "Pivots: " + std::to_string(answer.pivots)) +
-           ".\n";
+    if (!answer.ray.empty() && refutes(problem, answer.ray))
+      text = "There is no solution: of the v below M'v <= 0 and v'q < 0, so that v'(M z + q) < 0 "
+             "for every z >= 0.\n";
+    text += "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
+            ".\n" +
+            (answer.covers == 0 ? "Sweeps: " + std::to_string(answer.sweeps)
+                                : "Pivots: " + std::to_string(answer.pivots)) +
+            ".\n";
     if (answer.ray.empty()) return text;
-    if (refutes(problem, answer.ray))
-      text += "There is no solution: of the v below M'v <= 0 and v'q < 0, so that v'(M z + q) < 0 "
-              "for every z >= 0.\n";
     text += "\nThe ray v (v >= 0, M v >= 0 along it up to the covering vector, largest entry 1):\n";
     for (std::size_t i = 0; i < answer.ray.size(); ++i)
       if (answer.ray[i] != 0)

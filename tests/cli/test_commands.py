@@ -5,7 +5,7 @@ import re
 import subprocess
 import unittest
 
-from tool import SOURCE, TOOL, ToolTest, main, run
+from tool import SOURCE, TOOL, ToolTest, main, run, unwrapped
 
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
 SLIDE_TEXT = SLIDE.read_text()
@@ -115,6 +115,37 @@ force = 40
         answer = json.loads(result.stdout)
         self.assertEqual(answer["status"], "ray")
         self.assertEqual(len(answer["ray"]), 2)
+        self.assertTrue(run("lcp", "--M", "-1", "--q", "-1").stdout.startswith("There is no solution: "))
+        solvable = run("pivots", "--M", "0 1; 1 0", "--q", "-1 -1")
+        self.assertIn("need not mean that there is no solution", unwrapped(solvable.stdout))
+
+    def test_the_name_of_a_file_says_its_format(self):
+        for words, name, begin in ((("solve", SLIDE), "a.json", "{"), (("solve", SLIDE), "b.JSON", "{"), (("move", SLIDE, "--time", 0.01), "a.csv", "time,"),
+                                   (("move", SLIDE, "--time", 0.01), "a.html", "<!DOCTYPE"), (("hold", SLIDE), "a.svg", "<svg"),
+                                   (("solve", SLIDE), "a.txt", "Straight")):
+            out = self.path / name
+            self.assertEqual(run(*words, "-o", out).returncode, 0)
+            self.assertTrue(out.read_text().startswith(begin), name)
+        self.is_refused(run("solve", SLIDE, "-o", self.path / "a.svg"), "solve writes text or json, not svg")
+        self.assertEqual(run("solve", SLIDE, "-o", "-").stdout, run("solve", SLIDE).stdout)
+
+    def test_how_feet_share_a_load_is_said_to_be_open(self):
+        """Of a crate that is its own mirror image no answer may look as if it were not."""
+        head = 'gravity = [0, 0, -9.81]\n[object]\nmass = 20\nbox = [0.6, 0.4, 0.3]\n'
+        foot = '[[finger]]\nname = "{}"\nshape = "point"\ncenter = [{}, {}, -0.15]\nnormal = [0, 0, 1]\nfriction = 0.4\npoints_on = "object"\n'
+        rod = '[[pusher]]\nname = "rod"\nshape = "point"\non = "-x"\nfriction = 0\nvelocity = [0.1, 0, 0]\n'
+        feet = [foot.format(name, x, y) for name, x, y in (("fl", 0.3, 0.2), ("fr", 0.3, -0.2), ("rl", -0.3, 0.2), ("rr", -0.3, -0.2))]
+        said = "The laws leave open how fl, fr, rl and rr share their load"
+        self.assertIn(said, unwrapped(run("solve", "-", text=head + "".join(feet) + rod).stdout))
+        three = head + "".join(feet[:2]) + foot.format("rear", -0.3, 0) + rod
+        self.assertNotIn("leave open", unwrapped(run("solve", "-", text=three).stdout))
+
+    def test_what_a_palm_drives_over_a_table_slides(self):
+        """The palm moves along its face, too, but most of all it closes: nothing tips."""
+        text = ('gravity = [0, -9.81, 0]\n[object]\nmass = 3\nbox = [0.2, 0.06, 0.1]\n[[finger]]\nname = "table"\nshape = "rectangle"\n'
+                'on = "-y"\nalong = "x"\nsize = [0.2, 0.1]\npoints = [2, 2]\nfriction = 0.2\npoints_on = "object"\n[[pusher]]\nname = "palm"\n'
+                'shape = "line"\non = "-x"\nalong = "y"\nlength = 0.04\nfriction = 0.8\nnormal_force = 90\nacceleration = [0, 0, 0.2]\n')
+        self.assertIn("the box slides and turns counter-clockwise about y", unwrapped(run("solve", "-", text=text).stdout))
 
     def test_output_file_is_written_whole_or_not_at_all(self):
         out = self.path / "answer.json"
