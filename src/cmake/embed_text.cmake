@@ -95,6 +95,7 @@ function(embed_scripts name folder)
   string(REGEX REPLACE "\n//[^\n]*" "" script "${script}")
   string(REGEX REPLACE "([;,{})]) +// [^\n\"'`]*\n" "\\1\n" script "${script}")
   string(REGEX REPLACE "\n\n+" "\n" script "${script}")
+  string(REPLACE " {\n" " {" script "${script}") # a page has a limit, and there are hundreds
   embed(${name} "${script}")
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()

@@ -226,9 +226,9 @@ class Move(unittest.TestCase):
             self.assertEqual(result.returncode, 2, words)
             self.assertIn(message, unwrapped(result.stderr))
             self.assertEqual(result.stdout, "")
-        result = run(SCENES / "coin.toml")
+        result = run(SCENES / "coin_from_above.toml")
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(unwrapped(result.stderr), r"coin.toml:\d+: finger \"table\": ")
+        self.assertRegex(unwrapped(result.stderr), r"coin_from_above.toml:\d+: finger \"table\": ")
 
     def test_strokes_of_one_file(self):
         text = SLIDE.read_text().replace("acceleration = [0.1, 0, 0]",

@@ -47,8 +47,8 @@
       for (const button of document.querySelectorAll('[data-view]'))
         button.addEventListener('click', () => {
           this.view.choose(button.dataset.view);
-          this.meters = null;
-          this.draw();
+          if (this.motion.shown === null) this.meters = null;
+          this.draw_again();
         });
       by_id('text').addEventListener('change', () => this.replace(by_id('text').value));
       for (const id of ['text', 'contacts'])
@@ -229,6 +229,10 @@
     turn(dx, dy) {
       if (!this.state) return;
       this.view.turn(dx, dy);
+      this.draw_again();
+    }
+    /// What is shown, a moment of the motion or its begin, from where it is looked at now.
+    draw_again() {
       if (this.motion.shown === null) this.draw();
       else this.motion.seek(this.motion.shown);
     }
