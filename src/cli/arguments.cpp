@@ -177,7 +177,8 @@ void Arguments::follow_ending() {
   for (const auto& [written, format] : known) {
     if (ending != written) continue;
     const std::vector<std::string>& formats = command().formats;
-    if (std::find(formats.begin(), formats.end(), format) == formats.end())
+    const bool has_more = has("history") || has("all"); // formats, which they judge themselves
+    if (!has_more && std::find(formats.begin(), formats.end(), format) == formats.end())
       throw UsageError("-o " + desktop::quoted(path) + ": " + command().name + " writes " +
                        listed(formats, "or") + ", not " + format);
     values_["format"] = {format};

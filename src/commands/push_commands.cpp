@@ -7,9 +7,7 @@
 #include "lcpush/desktop/matrices.hpp"
 #include "lcpush/desktop/report.hpp"
 #include "lcpush/desktop/spread.hpp"
-#include "text/wording.hpp"
 
-#include <algorithm>
 #include <memory>
 
 namespace lcpush::commands {
@@ -53,46 +51,6 @@ std::string with_box(std::string text, const std::string& format, const SceneFil
     return text.replace(0, 1, json.text() + ",");
   }
   return text + "\n" + modes_sentence(file, box) + "\n";
-}
-
-/// Feet, rails of two points, corners: rigid bodies that stand still and bear the object at so few
-/// points that no law of pads says how they share it; none where patches press beside them.
-std::vector<Index> stiff_supports(const SceneFile& file) {
-  constexpr Index least_open = 4, few = 3; // points on a plane in space
-  std::vector<Index> supports;
-  Index points = 0;
-  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
-    const Body<double>& body = file.body(b);
-    if (body.point_count > few) return {};
-    if (body.role != Role::finger || is_driven(file.view(), b) || body.preload > 0) continue;
-    supports.push_back(b);
-    points += body.point_count;
-  }
-  return points >= least_open && supports.size() > 1 ? supports : std::vector<Index>();
-}
-
-/// "The laws leave open how fl, fr and rl share their load"; nothing where they do not.
-std::string sharing_sentence(const SceneFile& file) {
-  const std::vector<Index> supports = stiff_supports(file);
-  if (supports.empty()) return "";
-  SpreadOptions options;
-  options.covering_vectors = 4; // enough to see that there is another answer
-  options.enumeration = Enumeration::none;
-  options.most_faces = 16;
-  const SpreadReport spread = find_spread(file, options);
-  if (spread.status != Status::solved) return "";
-  std::vector<std::string> names;
-  for (const Index b : supports) {
-    const auto is_open = [&](Index i) {
-      return !is_single(spread.contacts[static_cast<std::size_t>(i)].normal, same_force(spread));
-    };
-    const Indices points = points_of(file.body(b));
-    if (std::any_of(points.begin(), points.end(), is_open)) names.push_back(file.body_name(b));
-  }
-  return names.size() < 2 ? ""
-                          : "\nThe laws leave open how " + listed(names, "and") +
-                                " share their load: one way of it is shown.\nSee: lcpush spread " +
-                                file.lines.file + "\n";
 }
 
 Result run_solve(const Values& values, Listener& listener) {

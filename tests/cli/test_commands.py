@@ -122,7 +122,8 @@ force = 40
     def test_the_name_of_a_file_says_its_format(self):
         for words, name, begin in ((("solve", SLIDE), "a.json", "{"), (("solve", SLIDE), "b.JSON", "{"), (("move", SLIDE, "--time", 0.01), "a.csv", "time,"),
                                    (("move", SLIDE, "--time", 0.01), "a.html", "<!DOCTYPE"), (("hold", SLIDE), "a.svg", "<svg"),
-                                   (("solve", SLIDE), "a.txt", "Straight")):
+                                   (("solve", SLIDE), "a.txt", "Straight"), (("solve", SLIDE, "--solver", "gauss-seidel", "--history"), "h.csv", ""),
+                                   (("lcp", "--all", "--M", "2 1; 1 2", "--q", "-1 -1"), "all.svg", "<svg")):
             out = self.path / name
             self.assertEqual(run(*words, "-o", out).returncode, 0)
             self.assertTrue(out.read_text().startswith(begin), name)
