@@ -456,7 +456,9 @@ TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& traj
       frame.pose.rotation *= turned;
     }
   TrajectoryReport report = TrajectoryJudge(file, frames).judge(tolerance);
-  if (report.verdict != TrajectoryVerdict::follows) { // its places may be a hair beside their faces
+  const std::string units = motion_hint(file, trajectory.frames, thinned(frames), report);
+  if (report.verdict != TrajectoryVerdict::follows && units.empty()) {
+    // Its places may be a hair beside their faces.
     const double rim = Settings::face_rim * object_size(file);
     const TrajectoryReport near = TrajectoryJudge(file, frames, rim).judge(tolerance);
     if (near.verdict == TrajectoryVerdict::follows) report = near;
@@ -466,7 +468,7 @@ TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& traj
     report.verdict = TrajectoryVerdict::stopped;
     report.is_coarse = true;
   } else {
-    report.hint = motion_hint(file, trajectory.frames, thinned(frames), report);
+    report.hint = units;
   }
   report.offset = offset;
   report.unread = trajectory.unread;

@@ -19,7 +19,7 @@ HELD = (
 
 class Trajectory(ToolTest):
     def verdict(self, scene, motion, *words):
-        result = run("verify", scene, "--trajectory", motion, "--json", *words)
+        result = run("verify", scene, "--trajectory", motion, "--json", "--seconds", 600, *words)
         self.assertIn(result.returncode, (0, 1), result.stderr)
         return json.loads(result.stdout), result.returncode
 
