@@ -7,6 +7,7 @@ import hashlib
 import importlib.util
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -82,6 +83,19 @@ class Collection(unittest.TestCase):
         command = RUNNER.by_command(f"{TOOL} lcp {{M}} {{q}} [--free {{free}}] --json")
         for problem in RUNNER.load()[::EVERY]:
             self.assertEqual(RUNNER.verdict(problem, command, 60), "right", problem["name"])
+
+    def test_shipped_scenes_are_those_of_today(self):
+        """Told here within a second; that the whole collection is made again takes the deep tests."""
+        def lines(text):
+            kept = (re.sub(r"\s+#.*$", "", line) for line in text.splitlines() if not line.startswith("#"))
+            return [line for line in kept if line and not line.startswith("facets")]
+
+        found = 0
+        for problem in RUNNER.load():
+            if scene := re.match(r"(fixtures/\S+\.toml) of lcpush", problem["provenance"]):
+                found += 1
+                self.assertEqual(lines(problem["scene"]), lines((ROOT / scene[1]).read_text()), problem["name"])
+        self.assertGreater(found, 20)
 
     def test_the_runner_is_short(self):
         self.assertLessEqual(len((ROOT / "docs/check/run_collection.py").read_text().splitlines()), 60)
