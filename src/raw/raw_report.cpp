@@ -108,13 +108,18 @@ bool refutes(const RawProblem& problem, const std::vector<double>& v) {
   return closes < -RawSettings().rounding * size;
 }
 
+/// Is it proved that no z solves the problem?
+bool is_unsolvable(const RawProblem& problem, const RawAnswer& answer) {
+  return answer.inconsistent_row >= 0 || (!answer.ray.empty() && refutes(problem, answer.ray));
+}
+
 } // namespace
 
 std::string raw_text(const RawProblem& problem, const RawAnswer& answer) {
   std::string text;
   if (answer.inconsistent_row >= 0) return "There is no solution: " + reason_of(answer) + ".\n";
   if (answer.status != Status::solved) {
-    if (!answer.ray.empty() && refutes(problem, answer.ray))
+    if (is_unsolvable(problem, answer))
       text = "There is no solution: of the v below M'v <= 0 and v'q < 0, so that v'(M z + q) < 0 "
              "for every z >= 0.\n";
     text += "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
@@ -150,7 +155,10 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer,
   json.member("basis", when(solved && !problem.bounds.given(), basis_of(answer)));
   if (problem.bounds.given()) json.member("at", when(solved, places_of(problem, answer)));
   json.member("pieces", answer.search.pieces).member("starts", answer.search.starts);
-  if (!solved) json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
+  if (!solved) {
+    json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
+    json.member("has_no_solution", is_unsolvable(problem, answer));
+  }
   if (answer.inconsistent_row >= 0) json.member("inconsistent_row", answer.inconsistent_row + 1);
   json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
   return json.end_object().text();

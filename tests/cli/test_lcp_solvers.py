@@ -77,6 +77,7 @@ class Singular(ToolTest):
             self.assertRegex(unwrapped(result.stdout), "^There is no solution: equality [12] cannot hold")
             answer = json.loads(run(*words, "--json").stdout)
             self.assertIn(answer["inconsistent_row"], (1, 2))
+            self.assertTrue(answer["has_no_solution"])
 
     def test_what_rounded_cones_do_not_show_is_no_proof(self):
         told = unwrapped(run("--M", "1 -3; -0.3333333333333 1", "--q", "-1 -1").stdout)  # z = (4e13, 1.3e13)
@@ -127,6 +128,14 @@ class LcpSolvers(ToolTest):
                     self.assertLessEqual(hybrid["residual"], BOUND)
                 else:
                     self.assertEqual(hybrid["ray"], lemke["ray"])
+
+    def test_a_ray_says_whether_it_proves_that_there_is_no_solution(self):
+        rounded = [[1, -3], [-0.3333333333333, 1]]  # z = (4e13, 1.3e13)
+        for M, q, proved in (([[-1]], [-1], True), ([[0, 1], [-1, 0]], [-1, -1], True), (rounded, [-1, -1], False)):
+            problem = inline(M, q)
+            answer = solve(problem, "lemke")
+            self.assertEqual(answer["has_no_solution"], proved, M)
+            self.assertEqual("There is no solution" in run(*problem).stdout, proved, M)
 
     def test_hybrid_leaves_redundant_equalities_to_pivots(self):
         problem = (*inline([[2, 1, 0], [1, 1, 1], [1, 1, 1]], [-5, -1, -1]), "--free", "2,3")
