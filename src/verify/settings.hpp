@@ -67,7 +67,9 @@ struct VerifySettings {
   static constexpr std::size_t change_frames = 200, change_windows[] = {4, 1},
                                least_change_frames = 8;
   static constexpr int change_parts[] = {4, 16}; ///< of an interval, where one step misses
-  static constexpr double far_turn = 0.5;        ///< rad, between two frames
+  static constexpr double far_frame = 10; ///< sizes of the object from frame to frame, as of places
+                                          ///< in millimetres
+  static constexpr double far_turn = 0.5; ///< rad, between two frames
   // How finely a step between two frames is repeated, doubling its parts.
   static constexpr double most_parts = 64;          ///< simulators make up to 50 steps a frame
   static constexpr int wrong_frames = 8;            ///< then one part a frame: its verdict stands

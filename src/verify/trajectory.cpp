@@ -73,13 +73,15 @@ public:
   TrajectoryJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double rim = 0)
       : file_(file), given_(given), rim_(rim), laws_(file, given, rim) {}
 
-  TrajectoryReport judge(double tolerance) {
+  /// `asks_verdict`: and no more of a motion that breaks a law.
+  TrajectoryReport judge(double tolerance, bool asks_verdict = false) {
     report_.tolerance = tolerance;
     report_.has_rotation = given_.front().has_rotation;
     report_.status = run_.start();
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
-    if (report_.status == Status::solved)
+    if (report_.status == Status::solved &&
+        !(report_.worst > allowed() && (asks_verdict || is_far())))
       report_.missed = judge_changes(file_, given_, allowed(), rim_);
     report_.overlap = find_overlap(file_, given_);
     const double span = given_.back().time - given_.front().time;
@@ -320,6 +322,9 @@ private:
     return report_.forces && report_.forces->broken(report_.tolerance) != nullptr;
   }
 
+  /// Such steps take the laws long, for one of theirs goes a part of the object's size.
+  bool is_far() const { return goes_ * interval_ > Settings::far_frame * laws_.telling().size; }
+
   double allowed() const { return report_.tolerance * report_.fastest; }
 
   /// m, of a telling point from the first frame.
@@ -332,7 +337,8 @@ private:
 
   void decide() {
     const double allowed = report_.tolerance * report_.fastest;
-    const bool is_near = report_.worst <= allowed && report_.missed.speed <= allowed &&
+    const bool is_near = report_.worst <= allowed &&
+                         !(report_.missed && report_.missed->speed > allowed) &&
                          report_.overlap.speed <= allowed;
     // A point deeper than that is none to the laws: what they hold without it says nothing.
     const bool is_seen = report_.overlap.speed <= allowed ||
@@ -372,7 +378,8 @@ std::string digits_hint(const SceneFile& file, const Trajectory& given,
   const double turned = given.turn_digit * object_size(file),
                open = 2 * std::max(given.place_digit, turned) / h;
   const double allowed = report.tolerance * report.fastest;
-  const double off = std::max({report.worst, report.overlap.speed, report.missed.speed});
+  const double changes = report.missed ? report.missed->speed : 0;
+  const double off = std::max({report.worst, report.overlap.speed, changes});
   if (report.verdict != TrajectoryVerdict::differs || off <= allowed || off > 2 * open) return "";
   return (turned > given.place_digit ? "Rotations end at " + brief(given.turn_digit)
                                      : "Places end at " + millimetres(given.place_digit)) +
@@ -399,7 +406,7 @@ std::string motion_hint(const SceneFile& file, const std::vector<TrajectoryFrame
     return "It begins with half a turn about z: quaternions have w first here, and these look "
            "like x, y, z, w.";
   const auto follows = [&](const std::vector<TrajectoryFrame>& frames) {
-    return TrajectoryJudge(file, frames).judge(report.tolerance).verdict ==
+    return TrajectoryJudge(file, frames).judge(report.tolerance, true).verdict ==
            TrajectoryVerdict::follows;
   };
   std::vector<TrajectoryFrame> turned_back = judged;
@@ -460,7 +467,7 @@ TrajectoryReport verify_trajectory(const SceneFile& file, const Trajectory& traj
   if (report.verdict != TrajectoryVerdict::follows && units.empty()) {
     // Its places may be a hair beside their faces.
     const double rim = Settings::face_rim * object_size(file);
-    const TrajectoryReport near = TrajectoryJudge(file, frames, rim).judge(tolerance);
+    const TrajectoryReport near = TrajectoryJudge(file, frames, rim).judge(tolerance, true);
     if (near.verdict == TrajectoryVerdict::follows) report = near;
   }
   report.hint = digits_hint(file, trajectory, report);

@@ -134,7 +134,7 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
     return "The motion breaks the laws: at " + brief(report.overlap.until) + " s " +
            point_name(file, report.overlap.point) + " is " + millimetres(report.overlap.depth) +
            " inside its face; bodies do not go into each other.";
-  const MissedChange& missed = report.missed;
+  const MissedChange missed = report.missed.value_or(MissedChange());
   const auto change = [&](const Vector3<double>& of) {
     const double zero = VerifySettings::rounded * missed.speed;
     const auto digits = [&](double x) { return in_digits(x, VerifySettings::told_digits, zero); };
@@ -180,9 +180,9 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
                          ", " + speed_text(report.mean) + " on average"},
       {"Allowed", brief(report.tolerance) + " of " + speed_text(report.fastest) +
                       ", the largest speed of a pusher or contact point"}};
-  if (report.verdict == TrajectoryVerdict::differs)
+  if (report.verdict == TrajectoryVerdict::differs && report.missed)
     facts.push_back({"Changes", "over many steps the laws lead to another velocity by " +
-                                    speed_text(report.missed.speed) + " at most"});
+                                    speed_text(report.missed->speed) + " at most"});
   if (report.offset)
     facts.push_back({"Begins", report.offset->isZero(0)
                                    ? "turned, unlike the scene: its turns are judged from there on"
@@ -208,7 +208,8 @@ std::string trajectory_json(const SceneFile& file, const TrajectoryReport& repor
       .member("worst", report.worst)
       .member("worst_time", report.worst_time)
       .member("mean", report.mean)
-      .member("missed_change", report.missed.speed)
+      .member("missed_change",
+              when(report.missed.has_value(), report.missed.value_or(MissedChange()).speed))
       .member("overlap", report.overlap.depth)
       .member("offset", report.offset)
       .member("has_rotation", report.has_rotation)

@@ -280,6 +280,14 @@ class Trajectory(ToolTest):
                 scene = SOURCE / f"fixtures/scenes/{name}.toml"
                 self.assertIn(words, self.verdict(scene, self.columns(scene, POSE + SPEEDS, None, by, "--frames", 101))[0]["hint"], (by, name))
 
+    def test_what_goes_far_in_millimetres_is_told_within_the_time(self):
+        scene = SOURCE / "fixtures/canonical/thrown_cube.toml"  # 6000 m/s, as it reads
+        motion = self.columns(scene, POSE + SPEEDS, None, ("x", "y", "z", "vx", "vy", "vz"), "--frames", 201)
+        report = self.verdict(scene, motion)[0]
+        self.assertIn("look like millimetres", report["hint"])
+        self.assertIsNone(report["missed_change"])
+        self.assertNotIn("Changes ", run("verify", scene, "--trajectory", motion, "--seconds", 600).stdout)
+
     def test_a_landing_just_before_a_frame_follows(self):
         tray, beyond = (SOURCE / f"fixtures/canonical/{name}.toml" for name in ("tray_tips", "beyond_the_grip"))
         for frames in (201, 401):  # 18 us before the frame at 0.4475 s

@@ -132,8 +132,9 @@ struct TrajectoryReport {
   double worst = 0;      ///< m/s, between the ends of a step, at the contact point where most
   double worst_time = 0; ///< s, at that step's end
   double mean = 0;       ///< m/s
-  MissedChange missed;   ///< over several steps
-  Overlap overlap;       ///< of the point that goes deeper fastest
+  /// Over several steps; none: they were not followed, one step breaks a law and goes far.
+  std::optional<MissedChange> missed;
+  Overlap overlap; ///< of the point that goes deeper fastest
   /// m: the positions are relative to another origin, and so are judged from their first on.
   std::optional<Vector3<double>> offset;
   bool has_rotation = true;          ///< as its frames
