@@ -11,6 +11,7 @@
 #include "scenes/new_scene.hpp"
 #include "scenes/shipped_scenes.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -55,7 +56,7 @@ std::string list_of(const std::vector<ShippedScene>& scenes) {
 int run_example(const Arguments& arguments) {
   const std::vector<ShippedScene> scenes = example_scenes();
   if (arguments.files().empty()) {
-    write_output(arguments, list_of(scenes));
+    write_output(arguments, desktop::wrapped(list_of(scenes)));
     return 0;
   }
   // as a file's name too, from wherever its sources are

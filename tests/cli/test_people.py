@@ -141,6 +141,7 @@ class People(unittest.TestCase):
 
     def test_every_example_is_the_shipped_file(self):
         listed = re.findall(r"^  (\S+)  ", run("example").stdout, flags=re.M)
+        self.assertLessEqual(max(map(len, run("example").stdout.splitlines())), 80)
         self.assertEqual(listed, [scene.stem for scene in SCENES])
         for scene in SCENES:
             self.assertEqual(run("example", scene.stem).stdout, scene.read_text())
