@@ -81,7 +81,7 @@ public:
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
     if (report_.status == Status::solved &&
-        !(report_.worst > allowed() && (asks_verdict || is_far())))
+        !(report_.worst > allowed() && (asks_verdict || leaps())))
       report_.missed = judge_changes(file_, given_, allowed(), rim_);
     report_.overlap = find_overlap(file_, given_);
     const double span = given_.back().time - given_.front().time;
@@ -323,7 +323,7 @@ private:
   }
 
   /// Such steps take the laws long, for one of theirs goes a part of the object's size.
-  bool is_far() const { return goes_ * interval_ > Settings::far_frame * laws_.telling().size; }
+  bool leaps() const { return goes_ * interval_ > Settings::far_frame * laws_.telling().size; }
 
   double allowed() const { return report_.tolerance * report_.fastest; }
 

@@ -289,8 +289,8 @@ async function telling(browser) {
 
 /// Nothing runs over the edge of a screen, light and dark; every shipped scene is drawn.
 async function looks(browser) {
-  const names = execFileSync(tool, ['example'], { encoding: 'utf8' }).split('\n').slice(2)
-    .map((line) => line.trim().split(/\s+/)[0]).filter(Boolean);
+  const listed = execFileSync(tool, ['example'], { encoding: 'utf8' }).matchAll(/^ {2}(\S+)/gm);
+  const names = [...listed].map((line) => line[1]);
   assert.ok(names.length > 15);
   for (const [size, scheme] of [[wide, 'light'], [phone, 'dark'],
     [{ ...phone, viewport: { width: 390, height: 844 } }, 'light']]) {
