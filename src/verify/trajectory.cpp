@@ -337,8 +337,7 @@ private:
 
   void decide() {
     const double allowed = report_.tolerance * report_.fastest;
-    const bool is_near = report_.worst <= allowed &&
-                         !(report_.missed && report_.missed->speed > allowed) &&
+    const bool is_near = report_.worst <= allowed && report_.missed_speed() <= allowed &&
                          report_.overlap.speed <= allowed;
     // A point deeper than that is none to the laws: what they hold without it says nothing.
     const bool is_seen = report_.overlap.speed <= allowed ||
@@ -378,8 +377,7 @@ std::string digits_hint(const SceneFile& file, const Trajectory& given,
   const double turned = given.turn_digit * object_size(file),
                open = 2 * std::max(given.place_digit, turned) / h;
   const double allowed = report.tolerance * report.fastest;
-  const double changes = report.missed ? report.missed->speed : 0;
-  const double off = std::max({report.worst, report.overlap.speed, changes});
+  const double off = std::max({report.worst, report.overlap.speed, report.missed_speed()});
   if (report.verdict != TrajectoryVerdict::differs || off <= allowed || off > 2 * open) return "";
   return (turned > given.place_digit ? "Rotations end at " + brief(given.turn_digit)
                                      : "Places end at " + millimetres(given.place_digit)) +

@@ -182,7 +182,7 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
                       ", the largest speed of a pusher or contact point"}};
   if (report.verdict == TrajectoryVerdict::differs && report.missed)
     facts.push_back({"Changes", "over many steps the laws lead to another velocity by " +
-                                    speed_text(report.missed->speed) + " at most"});
+                                    speed_text(report.missed_speed()) + " at most"});
   if (report.offset)
     facts.push_back({"Begins", report.offset->isZero(0)
                                    ? "turned, unlike the scene: its turns are judged from there on"
@@ -208,8 +208,7 @@ std::string trajectory_json(const SceneFile& file, const TrajectoryReport& repor
       .member("worst", report.worst)
       .member("worst_time", report.worst_time)
       .member("mean", report.mean)
-      .member("missed_change",
-              when(report.missed.has_value(), report.missed.value_or(MissedChange()).speed))
+      .member("missed_change", when(report.missed.has_value(), report.missed_speed()))
       .member("overlap", report.overlap.depth)
       .member("offset", report.offset)
       .member("has_rotation", report.has_rotation)

@@ -280,7 +280,7 @@ class Trajectory(ToolTest):
                 scene = SOURCE / f"fixtures/scenes/{name}.toml"
                 self.assertIn(words, self.verdict(scene, self.columns(scene, POSE + SPEEDS, None, by, "--frames", 101))[0]["hint"], (by, name))
 
-    def test_what_goes_far_in_millimetres_is_told_within_the_time(self):
+    def test_changes_of_what_goes_far_in_millimetres_are_not_followed(self):
         scene = SOURCE / "fixtures/canonical/thrown_cube.toml"  # 6000 m/s, as it reads
         motion = self.columns(scene, POSE + SPEEDS, None, ("x", "y", "z", "vx", "vy", "vz"), "--frames", 201)
         report = self.verdict(scene, motion)[0]

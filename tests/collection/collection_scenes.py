@@ -1,5 +1,12 @@
 """The pushes of fixtures/collection, family by family: seeded, typed with few digits."""
 import random
+import re
+
+
+def without_comments(text):
+    """A scene file's lines as the collection has them, before it says how many facets."""
+    kept = (re.sub(r"\s+#.*$", "", line) for line in text.splitlines() if not line.startswith("#"))
+    return re.sub(r"^facets = .*\n", "", "\n".join(kept).strip() + "\n", flags=re.M)
 
 
 def number(value):

@@ -135,16 +135,11 @@ def of_matrix(name, M, q, tags, provenance):
     return finish(problem, [{j: exact(v) for j, v in enumerate(row) if v} for row in M], [exact(v) for v in q])
 
 
-def without_comments(text):
-    kept = (re.sub(r"\s+#.*$", "", line) for line in text.splitlines() if not line.startswith("#"))
-    return re.sub(r"^facets = .*\n", "", "\n".join(kept).strip() + "\n", flags=re.M)
-
-
 def fixture_problems():
     tags = {"jam": ["jam"], "coin_jammed": ["jam"], "vise": ["bistable"], "rolling_two_answers": ["bistable"]}
     for folder in ("scenes", "rays", "regressions"):
         for path in sorted((ROOT / "fixtures" / folder).glob("*.toml")):
-            text = without_comments(path.read_text())
+            text = collection_scenes.without_comments(path.read_text())
             if 'pressure = "even"' not in text:
                 at = text.index("\n[")
                 yield of_scene(path.stem, text[:at] + "\nfacets = 4" + text[at:], tags.get(path.stem, ["push"]) + ["fixture"],

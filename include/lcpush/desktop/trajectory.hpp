@@ -134,6 +134,7 @@ struct TrajectoryReport {
   double mean = 0;       ///< m/s
   /// Over several steps; none: they were not followed, one step breaks a law and goes far.
   std::optional<MissedChange> missed;
+  double missed_speed() const { return missed ? missed->speed : 0; } ///< m/s
   Overlap overlap; ///< of the point that goes deeper fastest
   /// m: the positions are relative to another origin, and so are judged from their first on.
   std::optional<Vector3<double>> offset;
