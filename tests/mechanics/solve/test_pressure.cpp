@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
@@ -24,6 +25,24 @@ struct Pad {
   double compliance(Index i) const { return push.memory.work.pressure.compliance[i]; }
 };
 
+/// A crate on four feet, named in that order, and a smooth rod that pushes it beside its middle.
+Scene3 on_feet(const std::array<std::size_t, 4>& order) {
+  const std::array<Vec3, 4> corners{
+      {{0.1, 0.06, -0.05}, {0.1, -0.06, -0.05}, {-0.1, 0.06, -0.05}, {-0.1, -0.06, -0.05}}};
+  Scene3 scene = bare_scene(1, {0.002, 0.004, 0.005}, {0, 0, -9.81});
+  for (const std::size_t foot : order)
+    scene.add_body(Role::finger, {0, 0, 1}, 0.3, {corners[foot]});
+  scene.add_body(Role::pusher, {1, 0, 0}, 0, {{-0.1, 0.04, 0.01}});
+  scene.bodies.back().acceleration[0] = 1;
+  return scene;
+}
+
+Vector6<double> motion_on_feet(const std::array<std::size_t, 4>& order) {
+  SolvedPush<double> push(on_feet(order));
+  REQUIRE(push.solve() == Status::solved);
+  return push.answer().acceleration;
+}
+
 } // namespace
 
 TEST_CASE("[T.7] the preload is each patch's own force shared evenly, nothing at pushers") {
@@ -42,8 +61,9 @@ TEST_CASE("[T.7] a parallel jaw's force 2 F is shared by its two fingers") {
   CHECK(pad.preload(4) == 0);
 }
 
-TEST_CASE("[T.7] compliance: k on driven patches of k points, k / 1000 where a pusher's points "
-          "are dependent, 0 otherwise") {
+TEST_CASE(
+    "[T.7] compliance: k on driven patches of k points, k / 1000 on more than two of a pusher "
+    "or of the hand's stops, 0 otherwise") {
   Slide slide;
   slide.pads = ring(4, 0.005);
   const Pad ring_and_line(straight_slide(slide));
@@ -55,12 +75,22 @@ TEST_CASE("[T.7] compliance: k on driven patches of k points, k / 1000 where a p
   CHECK(Pad(scene).compliance(0) == 1); // a single point
   scene.add_body(Role::pusher, {0, 1, 0}, 0.2,
                  {{0, -0.015, 0}, {0.01, -0.015, 0}, {0.02, -0.015, 0}});
-  CHECK(Pad(scene).compliance(4) == doctest::Approx(0.003)); // 3 on a line: yes
-  scene.points[5] = {0.01, -0.015, 0.004};
-  CHECK(Pad(scene).compliance(4) == 0); // 3 of a triangle: no
-  scene.bodies.back().point_count = 4;
-  scene.points.push_back({0.02, -0.015, 0.004});
-  CHECK(Pad(scene).compliance(4) == doctest::Approx(0.004)); // 4 of a plane: yes
+  CHECK(Pad(scene).compliance(4) == doctest::Approx(0.003));
+  scene.bodies.back().role = Role::finger; // a stop, of the only one
+  CHECK(Pad(scene).compliance(4) == doctest::Approx(0.003));
+
+  Scene3 feet = on_feet({0, 1, 2, 3});
+  for (Index i = 0; i < 4; ++i) CHECK(Pad(feet).compliance(i) == doctest::Approx(0.001));
+  feet.bodies[0].role = feet.bodies[1].role = Role::pusher;
+  for (Index i = 0; i < 4; ++i) CHECK(Pad(feet).compliance(i) == 0); // two stops: no
+}
+
+TEST_CASE("[T.7] whichever foot of a crate is named first, it slides and turns alike") {
+  const Vector6<double> a = motion_on_feet({0, 1, 2, 3});
+  CHECK(a.tail<3>().norm() > 1);
+  std::array<std::size_t, 4> order{0, 1, 2, 3};
+  while (std::next_permutation(order.begin(), order.end()))
+    CHECK((motion_on_feet(order) - a).norm() <= 1e-9 * a.norm());
 }
 
 TEST_CASE("[T.7] a round's pressure is the next one's preload; what it changed is the violation") {

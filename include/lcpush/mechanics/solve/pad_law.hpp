@@ -8,24 +8,9 @@
 namespace lcpush {
 namespace detail {
 
-/// Dimension (0 to 2) of the affine hull of a body's points, projected onto its contact plane.
-template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body) {
-  using std::abs;
-  Vector3<S> basis[2];
-  Index rank = 0;
-  S size(0);
-  const Vector3<S>& origin = scene.points[body.first_point];
-  for (Index i = 1; i < body.point_count; ++i)
-    size = Eigen::numext::maxi(size, S((scene.points[body.first_point + i] - origin).norm()));
-  for (Index i = 1; i < body.point_count && rank < 2; ++i) {
-    // Only the part in the contact plane tells the columns W(n) of two points apart.
-    Vector3<S> between = scene.points[body.first_point + i] - origin;
-    between -= between.dot(body.normal) * body.normal;
-    for (Index k = 0; k < rank; ++k) between -= between.dot(basis[k]) * basis[k];
-    const S rest = between.norm();
-    if (rest > size * S(1) / S(1000)) basis[rank++] = between / rest;
-  }
-  return rank;
+/// Is a body a stop of the hand: a finger that moves with it and that no actuator presses?
+template <class S> bool is_stop(const Scene<S>& scene, Index body) {
+  return scene.bodies[body].role == Role::finger && !is_driven(scene, body);
 }
 
 } // namespace detail
@@ -33,11 +18,14 @@ template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body)
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
 /// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch, be it of one
 /// point (how the fingers of a jaw share its force may be open), and on a locked finger; a
-/// thousandth of that on another position-controlled body whose normals are linearly dependent; 0
-/// otherwise. And lambda^(0): w_i of each patch's own force or
-/// preload, 0 where there is none.
+/// thousandth of that on another position-controlled body whose points, for a stop of the hand
+/// those of all its stops, may share their force in many ways: more than two; 0 otherwise. And
+/// lambda^(0): w_i of each patch's own force or preload, 0 where there is none.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   const Scene<S>& scene = assembly.scene();
+  Index stop_points = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    if (detail::is_stop(scene, b)) stop_points += scene.bodies[b].point_count;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     const Index k = body.point_count;
@@ -50,10 +38,9 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
       driven = true;
       if (along > S(0)) force += scene.actuators[drive.actuator].force / (along * S(driven_bodies));
     }
-    const bool dependent = k > detail::affine_rank(scene, body) + 1;
-    const bool locked = body.preload > S(0);
-    const bool soft = locked || driven;
-    const S softness = soft ? S(1) : !driven && dependent ? S(1) / S(1000) : S(0);
+    const Index sharing = detail::is_stop(scene, b) ? stop_points : k;
+    const bool soft = body.preload > S(0) || driven;
+    const S softness = soft ? S(1) : sharing > 2 ? S(1) / S(1000) : S(0);
     for (Index i = body.first_point; i < body.first_point + k; ++i) {
       const S weight = weight_of(scene, body, i);
       memory.preload[i] = weight * force / assembly.layout().scales.force;
