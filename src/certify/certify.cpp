@@ -208,7 +208,7 @@ std::optional<Certificate> certify_break(const std::string& text, const SceneFil
   if (report.status != Status::solved) return certify_squeeze(text, file, report.ray);
   PushOptions again; // the answer at the small push; the search for others has overwritten it
   again.solver = report.solver;
-  again.other_covers = 0;
+  again.other_paths = 0;
   push.find_breaking(pusher, again);
   return certify_answer(text, file, push.last_answer(),
                         report.breaking.small_push / push_size(file.view()));

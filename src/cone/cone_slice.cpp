@@ -59,7 +59,7 @@ private:
     const SceneFile file = scene_.at({slice_.variation.parameter}, {value});
     Push push(file);
     PushOptions options;
-    options.other_covers = 0;
+    options.other_paths = 0;
     options.explain_jams = false;
     options.study_existence = false;
     Sample found;

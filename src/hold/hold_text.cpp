@@ -41,6 +41,10 @@ bool has_most(const HoldStudy& study) { return std::isfinite(study.most); }
 
 std::string falls_words(const SceneFile& file, const HoldStudy& study) {
   const std::string object = object_name(file);
+  if (study.grip.force == 0 && study.statics_factor < no_limit && study.falls.along.isZero(0))
+    return "Not held: nothing presses " + object +
+           ". Bodies that stand still may also squeeze it, "
+           "and hold it; nobody says how hard.";
   if (study.grip.force == 0) return "Not held: the load " + give_way_words(file, study.falls) + ".";
   if (study.factor == no_limit)
     return "No grip force holds " + object + ": whatever the grip, the load " +
@@ -293,7 +297,7 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& given) {
     return study.reason.empty() ? falls_words(file, study) : "Not held: " + study.reason + ".";
   std::string text = "Held";
   if (!std::isnan(study.margin()))
-    text += " with " + brief(study.margin()) + " times the grip it needs";
+    text += " with " + told_apart(study.margin(), 1).first + " times the grip it needs";
   else if (study.factor == 0 && study.grip.force > 0)
     text += loads(file, study)
                 ? " without any grip force"

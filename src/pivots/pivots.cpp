@@ -205,7 +205,7 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
   PivotTrace trace = empty_trace(layout.size, layout.actuators, TieRule::generic, story);
   RecordingWatcher<double> watcher(trace, story, options);
   PushOptions pushing;
-  pushing.other_covers = 0;
+  pushing.other_paths = 0;
   pushing.dense = true; // to show the dictionary
   pushing.watcher = &watcher;
   const PushReport report = push.solve(pushing);

@@ -59,7 +59,7 @@ std::string margin_of_grip(const SceneFile& file) {
 PushOptions options_of(bool in_full) {
   PushOptions options;
   if (!in_full) {
-    options.other_covers = 0;
+    options.other_paths = 0;
     options.study_existence = false;
     options.explain_jams = false;
   }

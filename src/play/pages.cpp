@@ -33,7 +33,7 @@ std::string entry(const ShippedScene& scene, std::vector<PlayFile>& files) {
   const SceneFile file = parse_scene(scene.text, scene.name);
   Push push(file);
   PushOptions options;
-  options.other_covers = 0;
+  options.other_paths = 0;
   const HoldReport hold = push.holds_without_push(options);
   const PushReport report = push.solve(options);
   files.push_back({scene.name + ".svg",

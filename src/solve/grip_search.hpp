@@ -16,7 +16,7 @@ class CountingWatcher : public Watcher {
 public:
   explicit CountingWatcher(const PushOptions& options) : given_(options), counting_(options) {
     counting_.watcher = this;
-    counting_.other_covers = 0;
+    counting_.other_paths = 0;
   }
   CountingWatcher(const CountingWatcher&) = delete;
   CountingWatcher& operator=(const CountingWatcher&) = delete;

@@ -213,7 +213,7 @@ std::vector<NamedValue> Push::closings(double unit) const {
   return list;
 }
 
-/// Of the present answer's scene, with less friction where it sticks.
+/// Of the present answer's scene, with less friction where it sticks; at rest all do.
 std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& options) const {
   for (const double part : SolveSettings().less_friction) {
     const auto less = with_less_friction(file_, work_.answer, part);
@@ -221,10 +221,15 @@ std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& 
     Push push(less->file);
     push.assembled_.assemble(file_.is_round && has_round_friction(scene_));
     PressureRun ignored;
-    if (push.run(options, 1.0, ignored) != Status::solved || !less->sticks(push.work_.answer))
-      continue;
+    if (push.run(options, 1.0, ignored) != Status::solved) continue;
+    Outcome<double> found = push.outcome();
+    const double noise = rest_noise(file_, layout().scales, options.solver);
+    const bool rests =
+        !(push_size(scene_) > 0) && motion_size(found.acceleration, layout().scales) <= noise;
+    if (rests) found.acceleration.setZero();
+    if (!rests && !less->sticks(push.work_.answer)) continue;
     const Residuals<double> left = check(scene_, layout().scales, push.work_.answer, 1.0);
-    if (left.max() <= Tolerances<double>().residual) return push.outcome();
+    if (left.max() <= Tolerances<double>().residual) return found;
   }
   return std::nullopt;
 }
@@ -247,19 +252,24 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     same_a = same_a && moves_alike;
     same_f = same_f && pushes_alike;
   };
-  if (!proved && affordable && options.other_covers > 0)
+  if (!proved && affordable && options.other_paths > 0)
     if (const auto other = answer_by_less_friction(options)) {
       compare(*other);
       report.is_friction_open = report.other.has_value();
     }
-  for (Index k = 1; affordable && k <= options.other_covers; ++k) {
+  for (Index k = 1; affordable && k <= options.other_paths; ++k) {
     PressureRun ignored;
-    if (run(by_other_cover(options, k, layout().size), 1.0, ignored) != Status::solved) continue;
-    ++report.covers_compared;
-    compare(outcome());
+    const bool is_round = has_round_friction(scene_);
+    const OtherPath path = other_path(file_, options, k, layout().size, is_round);
+    std::optional<Push> turned;
+    if (path.turned) turned.emplace(*path.turned).assembled_.assemble(true);
+    Push& push = turned ? *turned : *this;
+    if (push.run(path.options, 1.0, ignored) != Status::solved) continue;
+    ++report.paths_compared;
+    compare(push.outcome());
   }
-  // A proof, an answer next to this one, or other covers' answers.
-  const bool searched = report.covers_compared > 0 || report.final_basis.studied;
+  // A proof, an answer next to this one, or other paths' answers.
+  const bool searched = report.paths_compared > 0 || report.final_basis.studied;
   const auto verdict = [&](bool none_other) {
     if (!none_other) return Uniqueness::no;
     return searched ? Uniqueness::none_other_found : Uniqueness::not_tested;
@@ -387,7 +397,7 @@ PushReport Push::solve(const PushOptions& options) & {
 
 bool has_answer(const SceneFile& file) {
   PushOptions options;
-  options.other_covers = 0;
+  options.other_paths = 0;
   options.explain_jams = false;
   options.study_existence = false;
   Push push(file);

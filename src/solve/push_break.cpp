@@ -77,8 +77,27 @@ Status Push::rest(const PushOptions& options) {
   return run(options, 0.0, ignored);
 }
 
+/// Pivots begin without forces, and end in a fall that the laws allow where they allow rest as
+/// well: friction that sticks lifts or drags, as much as it takes, what rests without it. Then it
+/// is at rest as before.
 HoldReport Push::holds_without_push(const PushOptions& options) {
   const SceneFile alone = hand_at_rest(file_);
+  const HoldReport report = rest_alone(alone, options);
+  if (report.status != Status::solved || report.holds || alone.bodies.empty()) return report;
+  const auto less = with_less_friction(alone, work_.answer, SolveSettings().less_friction[0]);
+  if (!less) return report;
+  Push push(less->file);
+  const HoldReport rest = push.rest_alone(less->file, options);
+  if (rest.status != Status::solved || !rest.holds) return report;
+  // Forces within smaller cones, and nothing moves: an answer of the given scene.
+  work_.answer.acceleration = push.work_.answer.acceleration;
+  std::copy(push.work_.answer.contacts.begin(), push.work_.answer.contacts.end(),
+            work_.answer.contacts.begin());
+  return rest;
+}
+
+/// Of `alone`, the hand of the file.
+HoldReport Push::rest_alone(const SceneFile& alone, const PushOptions& options) {
   HoldReport report;
   report.length = layout().scales.length;
   const Scales<double> si{scene_.object.mass, 1.0, 1.0};
@@ -160,14 +179,14 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   return report;
 }
 
-/// The same with less friction where it sticks, and under other covers: is this the only force that
+/// The same with less friction where it sticks, and on other paths: is this the only force that
 /// breaks the grasp? What comes of it has passed the same referee.
 void Push::compare_others(const PushOptions& options, BreakReport& report) {
   if (layout().size > limits::unknowns_searched) return;
   Breaking<double> second;
   PressureRun ignored;
   for (const double part : SolveSettings().less_friction) {
-    if (options.other_covers == 0 || undetermined_body(scene_) < 0) break;
+    if (options.other_paths == 0 || undetermined_body(scene_) < 0) break;
     const auto less = with_less_friction(file_, work_.answer, part);
     if (!less) break;
     Push push(less->file);
@@ -180,10 +199,13 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
     report.is_friction_open = report.unique_force == Uniqueness::no;
     break;
   }
-  for (Index k = 1; k <= options.other_covers; ++k) {
-    const PushOptions other = by_other_cover(options, k, layout().size);
-    if (is_over(break_grasp(other, report.pusher, second, ignored)) &&
-        !falls_before_push(file_, second, report.scales, other))
+  for (Index k = 1; k <= options.other_paths; ++k) {
+    const OtherPath path = other_path(file_, options, k, layout().size, has_round_friction(scene_));
+    std::optional<Push> turned;
+    if (path.turned) turned.emplace(*path.turned).assembled_.assemble(true);
+    Push& push = turned ? *turned : *this;
+    if (is_over(push.break_grasp(path.options, report.pusher, second, ignored)) &&
+        !falls_before_push(push.file_, second, report.scales, path.options))
       add_other(second, report);
   }
 }

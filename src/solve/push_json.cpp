@@ -160,7 +160,7 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   write_statement(json, "uniqueness", uniqueness_statement(report));
   json.key("unique").begin_object().member("motion", settled(report.unique_motion));
   json.member("wrench", settled(report.unique_wrench));
-  json.member("covers_compared", report.covers_compared);
+  json.member("paths_compared", report.paths_compared);
   json.key("final_basis").begin_object().member("studied", report.final_basis.studied);
   json.member("tied_contacts", report.final_basis.tied_contacts);
   json.member("motion_open", report.final_basis.motion_open);

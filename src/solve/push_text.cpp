@@ -39,9 +39,7 @@ std::string both_answers(const SceneFile& file, double found, double other, bool
            " N has less of it.";
   switch (file.pressure) {
   case Pressure::pad:
-    return both + mine + " N is the pad law's answer from an even preload; " + its +
-           " N is another answer of the paper's laws, which leave open how a patch shares its "
-           "force.";
+    return both + "Both obey the laws, which leave open how contacts share pressure and friction.";
   case Pressure::even:
     return both + "Both obey the paper's laws with an even share of the grip at every point; " +
            mine + " N was found first.";
@@ -121,7 +119,9 @@ std::string others_sentences(const SceneFile& file, const PushReport& report) {
                        : "motion") +
             " is not unique: ";
     if (may_rest)
-      text += "bodies that stand still may also squeeze it, and hold it.\n";
+      text += report.is_friction_open
+                  ? "it rests where friction does not lift or drag it; hold says so.\n"
+                  : "bodies that stand still may also squeeze it, and hold it.\n";
     else if (is_told)
       text += both_answers(file, push, other, report.is_friction_open) + "\n";
     else

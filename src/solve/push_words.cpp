@@ -50,20 +50,20 @@ std::string motion_words(const SceneFile& file, const RunReport& report) {
 /// `what` is "motion" or "push force"; `open` and `isolated`: what the final basis says of it.
 std::string unique_words(const std::string& what, Uniqueness unique, const PushReport& report,
                          bool open, bool isolated) {
-  const Index covers = report.covers_compared, tied = report.final_basis.tied_contacts;
+  const Index paths = report.paths_compared, tied = report.final_basis.tied_contacts;
   switch (unique) {
   case Uniqueness::yes:
     return "the " + what + " is unique (proved: every normal force with friction is known)";
   case Uniqueness::no:
     return "the " + what + " is NOT unique: " +
            (open ? "the final basis leaves it open"
-                 : "another covering vector leads to another answer");
+                 : "another path of pivots leads to another answer");
   case Uniqueness::not_tested: return "no other " + what + " was looked for";
   case Uniqueness::none_other_found: break;
   }
   std::string text = "no other " + what + " was found";
-  if (covers > 0) text += " under " + counted(covers, "other covering vector");
-  if (isolated) return text + (covers > 0 ? ", and none lies next to it" : " next to it");
+  if (paths > 0) text += " on " + counted(paths, "other path") + " of pivots";
+  if (isolated) return text + (paths > 0 ? ", and none lies next to it" : " next to it");
   if (report.final_basis.studied && tied > 0) text += "; " + tied_words(tied);
   return text;
 }
@@ -120,18 +120,18 @@ void add_closings(const BreakReport& report, std::vector<Fact>& facts) {
 /// N per m/s^2
 double least_inertia(const SceneFile& file) { return word_settings.rounding * file.object.mass; }
 
-/// What other covers have led to.
+/// What other paths of pivots have led to.
 std::string break_unique_words(const BreakReport& report) {
   const bool same_force = report.unique_force != Uniqueness::no;
   const bool same_motion = report.unique_motion != Uniqueness::no;
-  if (same_force && same_motion) return "no other was found by other covering vectors";
+  if (same_force && same_motion) return "no other was found on other paths of pivots";
   double least = report.breaking.break_force, largest = least;
   for (const OtherBreak& other : report.others) {
     least = std::min(least, other.break_force);
     largest = std::max(largest, other.break_force);
   }
   const std::string open = same_motion ? "force" : same_force ? "motion" : "force and motion";
-  return "NOT unique: other covering vectors lead to another " + open +
+  return "NOT unique: other paths of pivots lead to another " + open +
          (same_force ? ""
                      : ";\nfound between " + number(least) + " and " + number(largest) + " N") +
          "\nAll of them: lcpush spread --break";

@@ -216,7 +216,7 @@ std::optional<OpenForce> find_open_force(const VariedScene& scene, const Variati
     const SceneFile file = scene.at({variation.parameter}, {value});
     PushOptions options;
     options.explain_jams = options.study_existence = false;
-    options.other_covers = 1;
+    options.other_paths = 1;
     options.watcher = &watcher;
     const BreakReport report = Push(file).find_breaking(pusher, options);
     if (report.status == Status::solved && report.is_friction_open && report.other_force)

@@ -43,7 +43,7 @@ const PushReport& OwnSolution::report() {
   if (report_) return *report_;
   PushOptions options;
   options.explain_jams = false;
-  options.other_covers = 0;
+  options.other_paths = 0;
   push_.emplace(file_);
   return report_.emplace(push_->solve(options));
 }

@@ -272,6 +272,27 @@ class ClosedForms(unittest.TestCase):
             moves = json.loads(command("solve")("-", "--json", text=text(factor)).stdout)["object"]["acceleration"]
             self.assertEqual(all(abs(a) < 1e-6 for a in moves), held, (factor, moves))
 
+    def test_friction_that_may_lift_an_object_takes_nothing_from_what_a_table_holds(self):
+        """A box is pulled off its wall, against a jaw and the table's friction; in space, and in a plane."""
+        place = {False: ({"center": [-0.03, 0, 0], "shape": "rectangle", "size": [0.04, 0.03]},
+                         {"center": [0, 0, -0.015], "shape": "rectangle", "size": [0.06, 0.04]}),
+                 True: ({"center": None, "shape": "line", "ends": [[-0.03, -0.015, 0], [-0.03, 0.015, 0]]},
+                        {"center": None, "shape": "line", "ends": [[-0.03, -0.015, 0], [0.03, -0.015, 0]]})}
+        for planar, (wall, table) in place.items():
+            up = [0, 1, 0] if planar else [0, 0, 1]
+            text = scene(finger("jaw", [0.03, 0, 0], [-1, 0, 0], 0.4, grip_force=30)
+                         + finger("wall", normal=[1, 0, 0], friction=0.3, **wall)
+                         + finger("table", normal=up, friction=0.2, **table),
+                         gravity=[-9.81 * u for u in up], mass=0.5, box=(0.06, 0.03, 0.04) if planar else (0.06, 0.04, 0.03),
+                         top='planar = true' if planar else "")
+            for force in (30.8, 31.5):
+                loaded = text.replace("[object]\n", f'[gripper]\njaws = "independent"\n[object]\nforce = [{force}, 0, 0]\n')
+                least = hold(loaded)["least_grip"]["factor"]
+                self.assertAlmostEqual(30 * least, force - 0.2 * 0.5 * 9.81, delta=0.05, msg=f"{planar} {force}")
+
+    def test_a_squeeze_that_nobody_gives_is_said_to_be_one(self):
+        self.assertIn("nobody says how hard", unwrapped(run(SCENES / "vise.toml").stdout))
+
     def test_laws_that_leave_forces_open_say_so(self):
         """A stop bears the weight, and its friction what the fingers leave; or they bear it all, and nothing stops a slide."""
         text = scene(pinch(43, shape="disc", radius=0.009) + finger("stop", [0.02, 0, 0], [-1, 0, 0], 0.3),
@@ -308,7 +329,7 @@ class ClosedForms(unittest.TestCase):
         aside = scene(legs(0.5, center=(0, 0, -0.02), size=(0.04, 0.04)),
                       finger("palm", [0.02, 0, -0.005], [-1, 0, 0], 0.35, shape="disc", radius=0.004, grip_force=0.4))
         least = hold(aside)["least_grip"]
-        most = 0.5 * WEIGHT / (1 + 0.5 * 0.35)  # of the palm that lifts it with its own friction, as the law has it
+        most = 0.5 * WEIGHT  # the palm's own friction could lift it off the table: what nothing moves it does not
         self.assertAlmostEqual(least["most_factor"] * 0.4, most, delta=0.01 * most)
 
     def test_v_jaws(self):

@@ -16,7 +16,7 @@ std::optional<double> slip_when_pushed(const RandomPush& push, double speed) {
   wall.acceleration = speed * push.twist;
   desktop::Push solver(file);
   desktop::PushOptions options;
-  options.other_covers = 0;
+  options.other_paths = 0;
   options.study_existence = false;
   const desktop::PushReport report = solver.solve(options);
   if (report.status != Status::solved) return std::nullopt;

@@ -32,7 +32,7 @@ EXACT = {
 }
 # Bare numbers that are left in each folder. These counts may only fall, and are exact.
 LEFT = {
-    "include/lcpush/mechanics/solve": 31,
+    "include/lcpush/mechanics/solve": 30,
     "include/lcpush/mechanics/study": 6,
     "src/certify": 25,
     "src/cone": 1,

@@ -149,7 +149,7 @@ TEST_CASE("as solved: the trace has the pivots that solve counts, and ends in it
     const std::unique_ptr<Story> story = push_story(push);
     const PivotTrace trace = trace_solve(push, {}, *story);
     PushOptions options;
-    options.other_covers = 0;
+    options.other_paths = 0;
     const PushReport report = again.solve(options);
     CHECK(trace.status == report.status);
     CHECK(static_cast<Index>(trace.pivots.size()) == report.run.pivots);

@@ -103,7 +103,7 @@ class Interrupts(unittest.TestCase):
         for finger, z in zip(pivot["finger"], (0.005, -0.005)):
             del finger["points"]
             finger.update(shape="disc", center=[0, 0, z], radius=0.005, points=90)
-        searched = lcpush.Scene(pivot)  # a tenth of a second, most of it under other covering vectors
+        searched = lcpush.Scene(pivot)  # a tenth of a second, most of it on other paths of pivots
         for finger in pivot["finger"]:
             finger["points"] = 20
         exact = lcpush.Scene(pivot)  # its pivots in fractions take many seconds

@@ -1,4 +1,4 @@
-// Other forces that break the same grasp: by other covering vectors.
+// Other forces that break the same grasp: on other paths of pivots.
 #include "support/fixture_push.hpp"
 
 using namespace lcpush;
@@ -34,7 +34,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("[T.10] where one force breaks the grasp other covers know no other") {
+TEST_CASE("[T.10] where one force breaks the grasp other paths know no other") {
   for (const char* name : {"straight_slide.toml", "ground.toml", "tipping.toml", "lever.toml",
                            "rolling.toml", "three_finger_hand.toml"}) {
     CAPTURE(name);

@@ -13,7 +13,7 @@ namespace {
 desktop::PushReport solved_by(desktop::Solver solver, const desktop::SceneFile& file) {
   desktop::PushOptions options;
   options.solver = solver;
-  options.other_covers = 0;
+  options.other_paths = 0;
   options.explain_jams = false;
   desktop::Push push(file);
   desktop::PushReport report = push.solve(options);

@@ -29,7 +29,7 @@ TEST_CASE("[T.9] where no contact is between two modes the final basis isolates 
     CHECK(report.final_basis.motion_isolated());
     CHECK(report.final_basis.wrench_isolated());
     CHECK(report.unique_motion == Uniqueness::none_other_found);
-    CHECK(report.covers_compared == 3);
+    CHECK(report.paths_compared == 3);
   }
 }
 
@@ -88,6 +88,52 @@ TEST_CASE("[T.9] the vise: found falling, called neither unique nor isolated") {
   const desktop::PushReport report = report_of("vise.toml");
   CHECK(report.unique_motion != Uniqueness::yes);
   CHECK_FALSE(report.final_basis.motion_isolated());
+}
+
+TEST_CASE("[T.9] pads that leave a push open say so, in the scene and in its mirror image") {
+  for (const std::string side : {"", "-"}) {
+    CAPTURE(side);
+    const std::string pad = ", \"0 mm\", \"30 mm\"], [",
+                      end = ", \"" + side + "20 mm\", \"30 mm\"]]";
+    const std::string grips = "; friction = 0.7; grip_force = \"80 N\"; normal = ";
+    const Pushed push(
+        table("", "gravity = [0, 0, 9.81]") +
+        table("[object]", "mass = \"500 g\"; box = \"50 x 60 x 140 mm\"") +
+        finger("left", "line",
+               "ends = [[\"25 mm\"" + pad + "\"25 mm\"" + end + grips + "[-1, 0, 0]") +
+        finger("right", "line",
+               "ends = [[\"-25 mm\"" + pad + "\"-25 mm\"" + end + grips + "[1, 0, 0]") +
+        pusher("tip", "point",
+               "center = [\"5 mm\", \"" + std::string(side.empty() ? "-" : "") +
+                   "20 mm\", \"70 mm\"]; normal = [0, 0, -1]; friction = 0.6; acceleration = [0, " +
+                   std::string(side.empty() ? "-" : "") + "0.1, -0.1]"));
+    CHECK(push.report.status == Status::solved);
+    CHECK(push.report.unique_motion == Uniqueness::no);
+    CHECK(push.report.unique_wrench == Uniqueness::no);
+  }
+}
+
+TEST_CASE("[T.9] what rests where friction does not lift it is told to: a jaw, a wall, a table") {
+  // The jaw's friction may lift the box off what the table's friction needs; nothing makes it.
+  for (const bool planar : {false, true}) {
+    CAPTURE(planar);
+    const std::string depth = planar ? "planar = true; " : "";
+    const std::string text =
+        table("", depth + "gravity = [0, \"-9.81 m/s^2\", 0]") +
+        table("[object]",
+              "mass = \"500 g\"; box = \"60 x 30 x 40 mm\"; force = [\"30.8 N\", 0, 0]") +
+        finger("jaw", "point", "on = \"+x\"; friction = 0.4; grip_force = \"30 N\"") +
+        finger("wall", "line", "on = \"-x\"; along = \"y\"; friction = 0.3") +
+        finger("table", "line", "on = \"-y\"; along = \"x\"; friction = 0.2");
+    const Pushed push(text);
+    REQUIRE(push.report.other);
+    CHECK(push.report.other->acceleration.isZero(0));
+    CHECK(push.report.unique_motion == Uniqueness::no);
+    const desktop::SceneFile file = desktop::parse_scene(text, "test.toml");
+    CHECK(desktop::Push(file).holds_without_push({}).holds);
+    const desktop::SceneFile more = desktop::parse_scene(with(text, "30.8", "31"), "test.toml");
+    CHECK_FALSE(desktop::Push(more).holds_without_push({}).holds); // 30 + 0.2 * 4.905 N
+  }
 }
 
 TEST_CASE(

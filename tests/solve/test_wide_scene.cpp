@@ -44,7 +44,7 @@ SceneFile tipping(const std::string& object, const std::string& disc, const std:
 
 void check_solved(const SceneFile& file) {
   PushOptions options;
-  options.other_covers = 0;
+  options.other_paths = 0;
   Push push(file);
   const PushReport report = push.solve(options);
   REQUIRE(report.status == Status::solved);
@@ -63,7 +63,7 @@ TEST_CASE("many points: the structured basis is taken, and finds what the dictio
   const SceneFile file = wide_scene();
   Counter counter, dense_counter;
   PushOptions options;
-  options.other_covers = 0;
+  options.other_paths = 0;
   options.watcher = &counter;
   Push push(file);
   (void)push.holds_without_push({}); // a smaller problem first: the memory has to grow

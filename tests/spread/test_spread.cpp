@@ -90,7 +90,7 @@ TEST_CASE(
   Interval reached;
   for (Index cover = 0; cover < 60; ++cover) {
     desktop::PushOptions options;
-    options.other_covers = 0;
+    options.other_paths = 0;
     options.study_existence = false;
     options.lemke.first_cover = 1000 + 10 * cover;
     const desktop::PushReport answer = solver.solve(options);
@@ -176,7 +176,7 @@ TEST_CASE("[T.15] random grasps: every other cover's answer lies within the inte
     desktop::Push push(file);
     for (Index cover = 0; cover < 12; ++cover) {
       desktop::PushOptions other;
-      other.other_covers = 0;
+      other.other_paths = 0;
       other.study_existence = false;
       other.lemke.first_cover = 1000 + 10 * cover;
       const desktop::PushReport answer = push.solve(other);

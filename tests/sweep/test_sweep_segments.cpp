@@ -37,7 +37,7 @@ void check_against_fresh(const VariedScene& scene, const Sweep& sweep, double va
   const SceneFile file = scene.at({sweep.variations[0].parameter}, {value});
   Push push(file);
   PushOptions options;
-  options.other_covers = 0;
+  options.other_paths = 0;
   const Index pusher = static_cast<Index>(file.bodies.size()) - 1;
   const Line line = line_at(segment, value);
   const BreakReport broken = push.find_breaking(pusher, options);

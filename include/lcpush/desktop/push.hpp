@@ -25,7 +25,7 @@ struct PushOptions {
   LemkeOptions<double> lemke{};
   SweepOptions<double> sweeps = strict_sweeps();
   bool record_history = false; ///< RunReport::history; costs a check of the laws each time
-  Index other_covers = 3;      ///< covers tried in search of another answer
+  Index other_paths = 3;       ///< of pivots, tried in search of another answer
   Index max_pivots = 0;        ///< of all proximal iterations together; 0: the solver's limits
   bool explain_jams = true;    ///< solve again with each change that might free a jam
   bool dense = false;          ///< pivots on the whole dictionary, whatever the size
@@ -107,6 +107,7 @@ private:
   Status run(const PushOptions& options, double sigma, PressureRun& run, double part = 1);
   Status with_friction(RunReport& report, const std::function<Status()>& run_once);
   Status rest(const PushOptions& options);
+  HoldReport rest_alone(const SceneFile& alone, const PushOptions& options);
   Status break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                      PressureRun& run);
   void name_file_bodies();

@@ -72,8 +72,8 @@ struct PushReport : RunReport {
   Answer<double> answer{}; ///< views into the Push: valid until it is asked again
   Residuals<double> residuals;
   Uniqueness unique_wrench = Uniqueness::not_tested;
-  Index covers_compared = 0;            ///< other covers that led to an answer
-  std::optional<Outcome<double>> other; ///< of the first other cover whose answer differs: the
+  Index paths_compared = 0;             ///< other paths of pivots that led to an answer
+  std::optional<Outcome<double>> other; ///< of the first other path whose answer differs: the
                                         ///< object's acceleration, all pushers' wrench
   FinalBasis final_basis;               ///< other answers next to this one
   std::string undetermined; ///< a point or body with friction and no known normal force, or empty
@@ -96,7 +96,7 @@ struct OtherBreak {
   Vector6<double> twist = Vector6<double>::Zero(); ///< as Breaking::twist
 };
 
-/// Its uniqueness compares other covers.
+/// Its uniqueness compares other paths of pivots.
 struct BreakReport : RunReport {
   Index pusher = -1; ///< body that pushes
   Breaking<double> breaking;
