@@ -126,16 +126,21 @@ public:
       lower = near->lower * statics_.scales().force * unit_of(kind);
     }
     found = limit(found.what);
-    found.upper = found.statics;
-    found.lower = std::min(lower, found.statics);
+    lower = std::min(lower, found.statics);
+    double upper = found.statics;
     // Of statics; where the law holds less it may be weakest elsewhere.
     std::vector<HoldLimit> others = study_.limits;
     if (pads_ && !is_force)
       if (const auto near = nearest(*pads_, kind, at(), distance))
         others.push_back(limit({kind, near->direction}));
     for (const HoldLimit& other : others)
-      if (other.what.kind == kind && other.limit < (1 - hold_settings.same) * found.limit)
-        found = other;
+      if (other.what.kind == kind) {
+        upper = std::min(upper, other.statics);
+        if (other.limit < (1 - hold_settings.same) * found.limit) found = other;
+      }
+    // Of all directions, not of this one.
+    found.lower = std::min(lower, upper);
+    found.upper = upper;
     return found;
   }
 
@@ -325,10 +330,12 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
   asked.find_law();
   if (question.grip_alone) return study;
   const bool holds = study.held.value_or(false);
-  for (const HoldDirection& direction : directions) {
-    HoldLimit limit;
-    limit.what = direction;
-    study.limits.push_back(holds ? asked.limit(direction) : limit);
+  for (const HoldDirection& direction : directions) study.limits.push_back({direction});
+  // Those that are asked for come first: the law's work may be used up before the last.
+  const std::size_t axes = directions.size() - question.directions.size();
+  for (std::size_t k = 0; holds && k < directions.size(); ++k) {
+    HoldLimit& limit = study.limits[(axes + k) % directions.size()];
+    limit = asked.limit(limit.what);
   }
   if (!holds) {
     asked.find_falls();

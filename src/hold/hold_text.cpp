@@ -147,10 +147,10 @@ std::string limit_cell(const HoldLimit& limit) {
                                      : "<" + brief(limit.statics);
 }
 
-/// Is a limit not known that statics bounds?
+/// Is a limit not known that statics knows?
 bool has_unknown(const HoldStudy& study) {
   const auto is_unknown = [](const HoldLimit& limit) {
-    return std::isnan(limit.limit) && std::isfinite(limit.statics);
+    return std::isnan(limit.limit) && !std::isnan(limit.statics);
   };
   return std::any_of(study.limits.begin(), study.limits.end(), is_unknown) ||
          std::any_of(study.weakest.begin(), study.weakest.end(), is_unknown);
@@ -256,8 +256,8 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
     facts.push_back({"Weakest against", text});
   if (has_unknown(study))
     facts.push_back({"Not known",
-                     "where the table has <: contacts may bear so much, and how much of "
-                     "it their law lets them bear took too long to find out"});
+                     "where the table has < (or ?): contacts may bear so much (or any load), "
+                     "and how much of it their law lets them bear took too long to find out"});
   if (study.may_bear_more)
     facts.push_back({"At least", "so much is borne; whether more is took too long to find out. "
                                  "Fewer points a pad, of the same surface, tell it"});
@@ -265,7 +265,7 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
     const HoldLimit& limit = study.limits[k];
     facts.push_back(
         {k == 18 ? "Asked" : "",
-         against(limit) + ": " + cell(limit.limit, true) + " " +
+         against(limit) + ": " + limit_cell(limit) + " " +
              units[static_cast<int>(limit.what.kind)] +
              (std::isfinite(limit.limit) ? ", which " + give_way_words(file, limit.gives) : "")});
   }

@@ -66,6 +66,8 @@ public:
     pads_ = quantities("pads", given_.pads, "[object]\nbox", "20 mm x 10 mm");
     if (pads_.size() > 2)
       refuse("pads", given_.pads, "a pad has two edges, \"20 mm x 10 mm\", or is round, \"8 mm\"");
+    if (pads_.front().unit.empty() && pads_.front().si > along)
+      refuse("pads", given_.pads, "these are metres; write \"20 mm x 10 mm\"");
     if (pads_.front().si > along || (is_box_ && pads_.back().si > size_[1].si))
       refuse("pads", given_.pads,
              "larger than where they press, " + millimetres(along) +

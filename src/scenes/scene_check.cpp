@@ -344,8 +344,9 @@ private:
       return;
     const Vector3<double>& up = file_.body(0).normal;
     const PatchShape shape = file_.patches[0];
-    const bool is_table = (shape == PatchShape::disc || shape == PatchShape::rectangle) &&
-                          !file_.strokes[0].rides_on_object && is_flat_below(up) &&
+    const bool is_area = shape == PatchShape::disc || shape == PatchShape::rectangle ||
+                         (file_.planar && shape == PatchShape::line);
+    const bool is_table = is_area && !file_.strokes[0].rides_on_object && is_flat_below(up) &&
                           up.dot(file_.gravity) < -(1 - typed_slack) * file_.gravity.norm();
     const bool is_pushed =
         std::any_of(file_.bodies.begin() + 1, file_.bodies.end(), [&](const Body<double>& body) {

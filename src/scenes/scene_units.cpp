@@ -125,7 +125,7 @@ std::string objection(const std::string& number, const std::string& name,
                       const std::vector<std::string>& si) {
   if (name.empty())
     return "the unit is missing; write " + number + " without quotes, or " +
-           quoted(number + " " + si[0]);
+           quoted(number + " " + (si[0] == "m" ? "mm" : si[0]));
   const std::size_t digit = name.find_first_of("0123456789");
   if (name[0] == ',' && digit == 1)
     return "write " + quoted(number + "." + name.substr(1)) + ", with a point in decimals";

@@ -4,6 +4,7 @@
 
 #include "lcpush/desktop/smallest_grip.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace lcpush::desktop {
@@ -22,7 +23,9 @@ public:
   CountingWatcher& operator=(const CountingWatcher&) = delete;
 
   const PushOptions& options() const { return counting_; }
-  bool is_used_up() const { return multiplications_ > most; }
+  bool is_used_up() const { return multiplications_ > until_; }
+  /// What follows may use so much of all there is, until this is said again.
+  void allow(double part) { until_ = std::min(most, multiplications_ + part * most); }
 
   void stepped(const Lemke<double>& lemke) override {
     const auto n = static_cast<double>(lemke.dictionary().size());
@@ -38,7 +41,7 @@ private:
   PushOptions given_, counting_;
   // Discs of 96 points are asked in every direction of a hold, in 6 s; with half of it in few.
   static constexpr double most = 2e10, overhead = 5e5; // overhead: what a small pivot costs
-  double multiplications_ = 0;
+  double multiplications_ = 0, until_ = most;
 };
 
 struct Precision {

@@ -37,15 +37,8 @@ std::string both_answers(const SceneFile& file, double found, double other, bool
   if (is_friction_open)
     return both + "The laws leave open how much friction there is where contacts stick; " + its +
            " N has less of it.";
-  switch (file.pressure) {
-  case Pressure::pad:
-    return both + "Both obey the laws, which leave open how contacts share pressure and friction.";
-  case Pressure::even:
-    return both + "Both obey the paper's laws with an even share of the grip at every point; " +
-           mine + " N was found first.";
-  case Pressure::rigid: break;
-  }
-  return both + "Both obey the paper's laws; " + mine + " N was found first.";
+  if (file.pressure == Pressure::even) return both + "Both obey the laws.";
+  return both + "Both obey the laws, which leave open how contacts share pressure and friction.";
 }
 
 /// Is the object's motion another than its image in a mirror that leaves the scene as it is?
@@ -120,7 +113,7 @@ std::string others_sentences(const SceneFile& file, const PushReport& report) {
             " is not unique: ";
     if (may_rest)
       text += report.is_friction_open
-                  ? "it rests where friction does not lift or drag it; hold says so.\n"
+                  ? "without friction that lifts or drags it, it rests.\n"
                   : "bodies that stand still may also squeeze it, and hold it.\n";
     else if (is_told)
       text += both_answers(file, push, other, report.is_friction_open) + "\n";
@@ -146,11 +139,11 @@ std::string failure_text(const SceneFile& file, const RunReport& report) {
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report,
                        Telling telling) {
   const bool is_full = telling == Telling::full, is_solved = report.status == Status::solved;
-  std::string text = title_line(file) +
-                     (is_solved ? push_sentence(file, report) + "\n" : failure_text(file, report));
+  const bool falls = hold.status == Status::solved && !hold.holds && has_pusher(file);
+  std::string text = title_line(file);
+  if (!is_full && is_solved && falls) text += hold_sentence(file, hold) + "\n";
+  text += is_solved ? push_sentence(file, report) + "\n" : failure_text(file, report);
   if (!is_full && !is_solved) return text;
-  if (!is_full && hold.status == Status::solved && !hold.holds && has_pusher(file))
-    text += hold_sentence(file, hold) + "\n";
   if (is_solved) text += velocity_text(file, report);
   text += "\n" + facts_text({hand_fact(file)});
   if (is_full) text += facts_text({hold_fact(file, hold)}) + facts_text(push_facts(file, report));

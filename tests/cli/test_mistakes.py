@@ -97,6 +97,7 @@ COMMANDS = [
     ("export good.toml --target mosek -o out", 'unknown option "--target"'),
     ("report good.toml -o x.png", "does not write .png files"),
     ("new", "say what is gripped: box or cylinder"),
+    ('new box --pads 20', 'write "20 mm x 10 mm"'),
     ("new ball", 'the object is box or cylinder, not "ball"'),
     ("new box --push pivto", '(did you mean "pivot"?)'),
     ("new box --push roll", "a box does not roll; try: lcpush new cylinder --push roll"),

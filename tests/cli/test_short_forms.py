@@ -50,6 +50,7 @@ REFUSED = [
     ('grip_force = "2 lbf"', "grip_force = 20", 13, "1 lbf is 4.4482216152605 N; N, mN or kN is meant"),
     ('mass = "2 KG"', "mass = 0.12", 3, 'the unit "KG" is unknown; kg or g is meant'),
     ('mass = "0.12"', "mass = 0.12", 3, 'the unit is missing; write 0.12 without quotes, or "0.12 kg"'),
+    ('box = "80x40x20"', "box = [0.08, 0.04, 0.02]", 4, 'write 80 without quotes, or "80 mm"'),
     ('mass = "heavy"', "mass = 0.12", 3, 'mass must be a number, got the text "heavy"'),
     ('mass = "1e400 g"', "mass = 0.12", 3, "too large or too small"),
     ('moment = [0, 0, "1 N/m"]', "moment = [0, 0, 0.01]", 5, '"N/m" is unknown; N m or N mm is meant'),
