@@ -151,8 +151,7 @@ double TableReader::checked_number(const std::string& what, const TomlValue& val
 }
 
 std::string entry_of(const std::string& what, std::size_t index) {
-  const bool is_inner = what.compare(0, 6, "entry ") == 0;
-  return (is_inner ? "number " : "entry ") + std::to_string(index + 1) + " of " + what;
+  return "entry " + std::to_string(index + 1) + " of " + what;
 }
 
 template <class S>
@@ -191,14 +190,9 @@ const TomlArray& TableReader::as_list(const std::string& what, const TomlValue& 
   for (const std::size_t length : lengths) allowed.push_back(std::to_string(length));
   std::string got = list ? "a list of " + std::to_string(list->size()) : described(value);
   if (list && list->size() > lengths.back()) got += "; a decimal number has a point, such as 0.3";
-  if (!list)
-    for (const Key& key : schema_) {
-      std::string example = key.example; // of three numbers in space, of the last two on a face
-      while (example.rfind('[') == 0 && std::count(example.begin(), example.end(), ',') + 1 >
-                                            static_cast<std::ptrdiff_t>(lengths.back()))
-        example = "[" + example.substr(example.find(',') + 2);
-      if (key.name == what) got += "; write " + example;
-    }
+  if (!list && lengths.back() > 2) // on a face they are two, and examples have three
+    for (const Key& key : schema_)
+      if (key.name == what) got += std::string("; write ") + key.example;
   fail_at(value.line,
           what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got);
 }

@@ -234,6 +234,32 @@ std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& 
   return std::nullopt;
 }
 
+OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns,
+                     bool is_round) {
+  OtherPath other{std::nullopt, options};
+  other.options.solver = Solver::lemke;
+  other.options.record_history = false;
+  other.options.watcher = options.searching;
+  other.options.max_pivots =
+      std::max<Index>(1, limits::unknowns_pivoted_in_search / (unknowns * options.other_paths));
+  const SolveSettings settings;
+  if (!is_round || k > static_cast<Index>(std::size(settings.quarter_turns))) {
+    other.options.lemke.first_cover += k * options.lemke.covers;
+    return other;
+  }
+  other.turned = file;
+  for (int turn = 0; turn < settings.quarter_turns[k - 1]; ++turn)
+    for (Body<double>& body : other.turned->bodies) body.tangent = cross(body.normal, body.tangent);
+  return other;
+}
+
+/// Who follows a path: `turned`, of the path's own scene, or this one.
+Push& Push::on(const OtherPath& path, std::optional<Push>& turned) {
+  if (!path.turned) return *this;
+  turned.emplace(*path.turned).assembled_.assemble(true);
+  return *turned;
+}
+
 void Push::search_others(const PushOptions& options, PushReport& report) {
   const double tolerance = SolveSettings().same;
   const Index open = undetermined_body(scene_);
@@ -259,11 +285,9 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     }
   for (Index k = 1; affordable && k <= options.other_paths; ++k) {
     PressureRun ignored;
-    const bool is_round = has_round_friction(scene_);
-    const OtherPath path = other_path(file_, options, k, layout().size, is_round);
+    const OtherPath path = other_path(file_, options, k, layout().size, has_round_friction(scene_));
     std::optional<Push> turned;
-    if (path.turned) turned.emplace(*path.turned).assembled_.assemble(true);
-    Push& push = turned ? *turned : *this;
+    Push& push = on(path, turned);
     if (push.run(path.options, 1.0, ignored) != Status::solved) continue;
     ++report.paths_compared;
     compare(push.outcome());

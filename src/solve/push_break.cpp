@@ -202,8 +202,7 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   for (Index k = 1; k <= options.other_paths; ++k) {
     const OtherPath path = other_path(file_, options, k, layout().size, has_round_friction(scene_));
     std::optional<Push> turned;
-    if (path.turned) turned.emplace(*path.turned).assembled_.assemble(true);
-    Push& push = turned ? *turned : *this;
+    Push& push = on(path, turned);
     if (is_over(push.break_grasp(path.options, report.pusher, second, ignored)) &&
         !falls_before_push(push.file_, second, report.scales, path.options))
       add_other(second, report);

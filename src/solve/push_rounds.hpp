@@ -106,24 +106,7 @@ struct OtherPath {
 /// The k-th one, in a search that may take as long as some half a second; after sweeps pivots are a
 /// second opinion too. Round friction has no directions of its own: pivots begin with others of its
 /// rays where bodies' tangents are turned.
-inline OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k,
-                            Index unknowns, bool is_round) {
-  OtherPath other{std::nullopt, options};
-  other.options.solver = Solver::lemke;
-  other.options.record_history = false;
-  other.options.watcher = options.searching;
-  other.options.max_pivots =
-      std::max<Index>(1, limits::unknowns_pivoted_in_search / (unknowns * options.other_paths));
-  const SolveSettings settings;
-  if (!is_round || k > static_cast<Index>(std::size(settings.quarter_turns))) {
-    other.options.lemke.first_cover += k * options.lemke.covers;
-    return other;
-  }
-  other.turned = file;
-  for (Body<double>& body : other.turned->bodies)
-    for (int turn = 0; turn < settings.quarter_turns[k - 1]; ++turn)
-      body.tangent = cross(body.normal, body.tangent);
-  return other;
-}
+OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns,
+                     bool is_round);
 
 } // namespace lcpush::desktop

@@ -37,6 +37,7 @@ struct PushOptions {
 };
 
 class AnyRounds;
+struct OtherPath;
 
 class Push {
 public:
@@ -110,6 +111,7 @@ private:
   HoldReport rest_alone(const SceneFile& alone, const PushOptions& options);
   Status break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                      PressureRun& run);
+  Push& on(const OtherPath& path, std::optional<Push>& turned);
   void name_file_bodies();
   Outcome<double> outcome() const;
   std::vector<NamedValue> closings(double unit) const;
