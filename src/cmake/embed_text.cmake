@@ -53,9 +53,13 @@ foreach(entry IN ITEMS
         gallery_template=${SOURCES}/play/page/gallery.html
         play_style=${SOURCES}/play/page/page.css)
   string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")
+  set(name ${CMAKE_MATCH_1})
   file(READ "${CMAKE_MATCH_2}" text)
   without_margin(text "${text}")
-  embed(${CMAKE_MATCH_1} "${text}")
+  if(name MATCHES "_style$")
+    string(REGEX REPLACE "([:;,{}]) +" "\\1" text "${text}")
+  endif()
+  embed(${name} "${text}")
 endforeach()
 foreach(entry IN ITEMS
         solver_text=${SOURCES}/play/wasm/solver.txt
