@@ -6,6 +6,7 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/grip_statics.hpp"
 #include "solve/push_words.hpp"
+#include "solve/rest_verdict.hpp"
 #include "solve/sentence.hpp"
 #include "solve/word_settings.hpp"
 #include "text/format.hpp"
@@ -60,9 +61,10 @@ std::string idle_words(const SceneFile& file) {
          " with 0 N: a force across the plane is a finger's grip_force";
 }
 
-/// Do forces exist that hold it? Laws but that of pads leave open which there are.
+/// Do forces exist that hold it? Laws but that of pads leave open which there are; that of pads
+/// how much friction there is where contacts stick.
 bool may_be_held(const SceneFile& file) {
-  if (file.pressure == Pressure::pad) return false;
+  if (file.pressure == Pressure::pad) return rests_by_less_friction(file);
   const std::optional<double> least = least_factor(GripStatics(file));
   return least && *least <= 1;
 }

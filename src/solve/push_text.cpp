@@ -139,11 +139,11 @@ std::string failure_text(const SceneFile& file, const RunReport& report) {
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report,
                        Telling telling) {
   const bool is_full = telling == Telling::full, is_solved = report.status == Status::solved;
-  const bool falls = hold.status == Status::solved && !hold.holds && has_pusher(file);
-  std::string text = title_line(file);
-  if (!is_full && is_solved && falls) text += hold_sentence(file, hold) + "\n";
-  text += is_solved ? push_sentence(file, report) + "\n" : failure_text(file, report);
+  std::string text = title_line(file) +
+                     (is_solved ? push_sentence(file, report) + "\n" : failure_text(file, report));
   if (!is_full && !is_solved) return text;
+  if (!is_full && hold.status == Status::solved && !hold.holds && has_pusher(file))
+    text += hold_sentence(file, hold) + "\n";
   if (is_solved) text += velocity_text(file, report);
   text += "\n" + facts_text({hand_fact(file)});
   if (is_full) text += facts_text({hold_fact(file, hold)}) + facts_text(push_facts(file, report));

@@ -6,6 +6,7 @@
 
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/grip_statics.hpp"
+#include "solve/less_friction.hpp"
 #include "solve/settings.hpp"
 
 namespace lcpush::desktop {
@@ -94,6 +95,16 @@ bool falls_at_rest(const std::optional<double>& least, const AtRest& rest,
 }
 
 } // namespace
+
+bool rests_by_less_friction(const SceneFile& file) {
+  Push push(file);
+  Vector6<double> motion;
+  if (push.solve_at_rest({}, motion) != Status::solved) return false;
+  const auto less = with_less_friction(file, push.last_answer(), SolveSettings().less_friction[0]);
+  return less && Push(less->file).solve_at_rest({}, motion) == Status::solved &&
+         motion_size(motion, push.layout().scales) <=
+             rest_noise(file, push.layout().scales, Solver::lemke);
+}
 
 bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,
                        const Scales<double>& scales, const PushOptions& options) {

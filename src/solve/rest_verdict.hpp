@@ -30,6 +30,9 @@ double rest_tolerance(Solver solver);
 /// The largest acceleration that the loads could give the object, m/s^2, turning at `length`.
 double load_acceleration(const SceneFile& file, double length);
 
+/// Does it rest with less friction at what sticks while it moves? Then rest is an answer, too.
+bool rests_by_less_friction(const SceneFile& file);
+
 /// Of any breaking force: an exact limit says so itself; of finite pushes statics [T.12] proves a
 /// fall, and where it allows rest, the scene's own law decides, asked at rest.
 bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,

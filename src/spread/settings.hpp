@@ -37,9 +37,9 @@ struct SpreadSettings {
   static constexpr double work_of_a_contact = 100;
   /// Small scenes have done a hundredth of the tree after this part of the work.
   static constexpr double judged_after = 0.1;
-  // How stiff supports share a load: what bears at more points is a pad's matter; on a plane in
-  // space four are the fewest that leave it open; and enough to see that there is another answer.
-  static constexpr Index few_points = 3, open_points = 4, sharing_faces = 16, sharing_covers = 4;
+  // How stiff supports share a load: what bears at more points is a pad's matter; and enough to see
+  // that there is another answer.
+  static constexpr Index few_points = 3, sharing_faces = 16, sharing_covers = 4;
 };
 
 } // namespace lcpush::desktop

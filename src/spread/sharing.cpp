@@ -9,20 +9,17 @@
 namespace lcpush::desktop {
 namespace {
 
-/// Feet, rails of two points, corners: rigid bodies that stand still and bear the object at so few
-/// points that no law of pads says how they share it; none where patches press beside them.
+/// Feet, rails of two points, corners, a V: rigid bodies that stand still and bear the object at so
+/// few points that no law of pads says how they share it; none where patches press beside them.
 std::vector<Index> stiff_supports(const SceneFile& file) {
   std::vector<Index> supports;
-  Index points = 0;
   for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
     const Body<double>& body = file.body(b);
     if (body.point_count > SpreadSettings::few_points) return {};
     if (body.role != Role::finger || is_driven(file.view(), b) || body.preload > 0) continue;
     supports.push_back(b);
-    points += body.point_count;
   }
-  return points >= SpreadSettings::open_points && supports.size() > 1 ? supports
-                                                                      : std::vector<Index>();
+  return supports.size() > 1 ? supports : std::vector<Index>();
 }
 
 } // namespace

@@ -117,6 +117,18 @@ class Holding(ToolTest):
         self.assertAlmostEqual(answer["smallest_grip_at_rest"], 15 - 1.962, 4)
         self.assertEqual(answer["smallest_grip_at_rest_from"], "statics")
 
+    def test_a_peg_between_two_rails_breaks_as_in_its_plane(self):
+        """Pushed off its axis: F (1 - 2 mu e / l) = G with the lever e over the distance l of the rails, whatever their points."""
+        mu, load, across, distance = 0.3, 2.0, 0.033, 0.02
+        for points in (2, 4):
+            rails = "".join(finger(name, "line", ends=[[x, y, -0.005], [x, y, 0.005]], points=points, normal=[-x / 0.005, 0, 0],
+                                   friction=mu) for name, x, y in (("rim", -0.005, -0.01), ("wall", 0.005, -0.03)))
+            text = (table("", gravity=[0, 0, 0]) + table("[object]", mass=0.02, box=[0.01, 0.06, 0.01], force=[0, load, 0],
+                                                         at=[0, 0, 0]) + rails +
+                    pusher("hand", "point", center=[-across, 0.03, 0], normal=[0, -1, 0], friction=0, acceleration=[0, -0.01, 0]))
+            self.assertAlmostEqual(json.loads(run("break", "-", "--json", text=text).stdout)["break_force"],
+                                   load / (1 - 2 * mu * across / distance), delta=0.2, msg=points)
+
     def test_a_grasp_that_drops_its_load_says_from_which_force_on_it_would_hold(self):
         weak = scene(pinch(force=1))
         answer = self.answer(weak)

@@ -140,6 +140,11 @@ force = 40
         self.assertIn(said, unwrapped(run("solve", "-", text=head + "".join(feet) + rod).stdout))
         three = head + "".join(feet[:2]) + foot.format("rear", -0.3, 0) + rod
         self.assertNotIn("leave open", unwrapped(run("solve", "-", text=three).stdout))
+        side = '[[finger]]\nname = "{}"\nshape = "point"\ncenter = [{}, -0.0141, 0]\nnormal = [{}, 1, 0]\nfriction = {}\n'
+        for friction, is_open in ((0.3, True), (0, False)):  # a cylinder in a V: rough sides may squeeze it
+            v = ('gravity = [0, -9.81, 0]\nplanar = true\n[object]\nmass = 0.3\ncylinder_radius = 0.02\ncylinder_length = 0.05\n'
+                 'axis = "z"\n' + side.format("l", -0.0141, 1, friction) + side.format("r", 0.0141, -1, friction))
+            self.assertEqual("how l and r share their load" in unwrapped(run("solve", "-", text=v).stdout), is_open, friction)
 
     def test_what_a_palm_drives_over_a_table_slides(self):
         """The palm moves along its face, too, but most of all it closes: nothing tips."""

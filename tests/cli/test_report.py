@@ -129,7 +129,7 @@ class Report(ToolTest):
                      "9.81 m/s^2 along -y", "pressure rigid; round friction", "grip_force = 20"):
             self.assertIn(part, asked)
         folds = " ".join(words(fold) for fold in page.iter("details"))
-        for part in ("covering vector", "(H1)"):
+        for part in ("paths of pivots", "(H1)"):
             self.assertEqual(words(page).count(part), folds.count(part))
             self.assertIn(part, folds)
 
