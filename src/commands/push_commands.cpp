@@ -72,9 +72,9 @@ Result run_solve(const Values& values, Listener& listener) {
                          ? history_text(format, solver, report->status, report->history)
                      : format == "json" ? solve_json(asked->file, hold, *report)
                                         : solve_text(asked->file, hold, *report, values.telling());
-  const bool is_one_motion = report->unique_motion != Uniqueness::no; // else said already
-  if (!values.has("history") && format == "text" && report->status == Status::solved &&
-      is_one_motion)
+  const bool is_one = report->unique_motion != Uniqueness::no && // else said already
+                      report->unique_wrench != Uniqueness::no;
+  if (!values.has("history") && format == "text" && report->status == Status::solved && is_one)
     text += sharing_sentence(asked->file);
   if (box && !values.has("history")) text = with_box(std::move(text), format, asked->file, *box);
   return {report->status == Status::solved && (!box || box->verdict == BoxVerdict::always),

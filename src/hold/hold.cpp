@@ -112,6 +112,11 @@ public:
     return found;
   }
 
+  /// Of the law's work, what the next limits may use.
+  void allow(double part) {
+    if (law_) law_->allow(part);
+  }
+
   /// The direction of a kind in which the least is held.
   HoldLimit weakest(Disturbance kind) {
     // Forces at the centre of mass are accelerations backwards.
@@ -158,7 +163,7 @@ public:
     const Vector3<double> more =
         hand_.gravity.norm() * ((std::cos(angle) - 1) * down + std::sin(angle) * aside);
     const HoldLimit held = limit({Disturbance::acceleration, -more.normalized()});
-    return held.limit < more.norm() ? of_pads->angle : all->angle;
+    return held.limit >= more.norm() ? all->angle : of_pads->angle; // not known: of pads
   }
 
   /// By the scene's law: which grips hold, and does the scene's own?
@@ -331,12 +336,12 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
   if (question.grip_alone) return study;
   const bool holds = study.held.value_or(false);
   for (const HoldDirection& direction : directions) study.limits.push_back({direction});
-  // Those that are asked for come first: the law's work may be used up before the last.
   const std::size_t axes = directions.size() - question.directions.size();
   for (std::size_t k = 0; holds && k < directions.size(); ++k) {
-    HoldLimit& limit = study.limits[(axes + k) % directions.size()];
-    limit = asked.limit(limit.what);
+    asked.allow(k < axes ? 1 : hold_settings.asked_share);
+    study.limits[k] = asked.limit(directions[k]);
   }
+  asked.allow(1);
   if (!holds) {
     asked.find_falls();
     return study;

@@ -42,7 +42,7 @@ bool has_most(const HoldStudy& study) { return std::isfinite(study.most); }
 std::string falls_words(const SceneFile& file, const HoldStudy& study) {
   const std::string object = object_name(file);
   if (study.grip.force == 0 && study.statics_factor < no_limit && study.falls.along.isZero(0))
-    return "Not held: nothing presses " + object +
+    return "Not held by what presses " + object +
            ". Bodies that stand still may also squeeze it, "
            "and hold it; nobody says how hard.";
   if (study.grip.force == 0) return "Not held: the load " + give_way_words(file, study.falls) + ".";
@@ -265,7 +265,7 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
     const HoldLimit& limit = study.limits[k];
     facts.push_back(
         {k == 18 ? "Asked" : "",
-         against(limit) + ": " + limit_cell(limit) + " " +
+         against(limit) + ": " + (std::isnan(limit.statics) ? "-" : limit_cell(limit)) + " " +
              units[static_cast<int>(limit.what.kind)] +
              (std::isfinite(limit.limit) ? ", which " + give_way_words(file, limit.gives) : "")});
   }

@@ -71,7 +71,6 @@ double HoldingLaw::most_grip(double bound) {
 }
 
 double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {
-  work_.allow(hold_settings.limit_share);
   const double pads = pads_.limit(wrench, !asks);
   if (std::isinf(pads) && std::isinf(bound) && !is_open_) return bound;
   const bool is_proved = std::isfinite(pads) && !is_open_; // surfaces know no prestress

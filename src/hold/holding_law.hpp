@@ -25,6 +25,8 @@ public:
   std::optional<bool> holds(double factor, const Vector6<double>& more);
   /// The load as it is; forces of pads that carry it prove it where the law has no answer.
   std::optional<bool> holds_now() const { return holds_now_; }
+  /// What follows may use so much of the law's work, until this is said again.
+  void allow(double part) { work_.allow(part); }
   /// Was a limit told beyond which the law was not asked, as the work was used up?
   bool may_bear_more() const { return may_bear_more_; }
   const SceneFile& surfaces() const { return pads_.surfaces(); }

@@ -30,9 +30,9 @@ struct HoldSettings {
   double of_points = 0.03;
   /// Of a limit: what a load so much larger does is told; points bear at most `of_points` less.
   double beyond = 0.05;
-  /// Of the law's work: what one limit may take. Of a screwdriver in three lines of points the
-  /// first one took it all, and no other was known; limits that are found take a twentieth at most.
-  double limit_share = 0.2;
+  /// Of the law's work: what a direction that is asked for may take. Of a screwdriver in three
+  /// lines of points one took all that was left, and the weakest direction was not known.
+  double asked_share = 0.2;
   double pad_work = 1e9; ///< multiplications of pads' programs: then their limits are not known
 };
 

@@ -365,7 +365,7 @@ private:
     for (const PointState& point : frame.contacts)
       if (point.normal_force > 0)
         report_.pressed_gap = std::max(report_.pressed_gap, point.gap.value_or(0));
-    if (report_.steps < 2 || frame.time <= Settings::started * time_) report_.first = frame.bodies;
+    if (report_.steps < 2) report_.first = frame.bodies;
     report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
     report_.longest = std::max(report_.longest, h);
     ++report_.steps;

@@ -34,8 +34,8 @@ std::vector<std::string> touch_words(const SceneFile& file, const MotionFrame& f
 Vector3<double> push_force(const SceneFile& file, const std::vector<BodyForce>& bodies);
 /// N, the most that a body presses with.
 double hardest(const std::vector<BodyForce>& bodies);
-/// What acts beside frame k: at the begin what does once that has started which starts at once.
-/// Empty if there was no step.
+/// What acts beside frame k: at the begin that of the second step, which has started what starts at
+/// once. Empty if there was no step.
 inline const std::vector<BodyForce>& forces_beside(const MotionReport& report, std::size_t k) {
   return k == 0 ? report.first : report.frames[k].bodies;
 }

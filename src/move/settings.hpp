@@ -56,9 +56,6 @@ struct MoveSettings {
   static constexpr double unmoved = 1e-9; ///< of the object's size: rounding goes farther in no run
   static constexpr double seen_gap = 1e-5;  ///< m: what turning faces leave in short steps is less
   static constexpr double half_turn = 1e-6; ///< sine of an angle that is 0 or half a turn
-  /// Of the time: what an impact leaves has died away, as of a box whose corner turns under a pin
-  /// for 0.3 ms, and pushes back with a tenth of what the pin then needs.
-  static constexpr double started = 0.01;
   static constexpr double exact =
       1e-9; ///< residuals and depths, m, below only say how rounding went
 };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "solve/self_stress.hpp"
+#include "solve/settings.hpp"
+
 namespace lcpush::desktop {
 
 bool LessFriction::sticks(const Answer<double>& answer) const {
@@ -15,7 +18,8 @@ bool LessFriction::sticks(const Answer<double>& answer) const {
 std::optional<LessFriction> with_less_friction(const SceneFile& file, const Answer<double>& answer,
                                                double part) {
   std::vector<bool> presses(file.bodies.size()), slips(file.bodies.size());
-  for (Index i = 0; i < answer.contacts.size; ++i) {
+  // An answer of a hand alone stands where there is room for its pushers' contacts, too.
+  for (Index i = 0; i < std::min(answer.contacts.size, file.view().points.size); ++i) {
     const auto b = static_cast<std::size_t>(file.body_of(i));
     presses[b] = presses[b] || answer.contacts[i].normal_force > 0;
     slips[b] = slips[b] || answer.contacts[i].mode == Mode::slide;
@@ -28,6 +32,14 @@ std::optional<LessFriction> with_less_friction(const SceneFile& file, const Answ
     less.bodies.push_back(b);
   }
   return less.bodies.empty() ? std::nullopt : std::optional(std::move(less));
+}
+
+std::optional<LessFriction> with_hardly_any_friction(const SceneFile& file,
+                                                     const Answer<double>& answer) {
+  if (file.pressure != Pressure::pad || file.hand == Hand::locked) return std::nullopt;
+  auto less = with_less_friction(file, answer, SolveSettings().less_friction[0]);
+  if (less && has_self_stress(GripStatics(less->file))) return std::nullopt;
+  return less;
 }
 
 } // namespace lcpush::desktop

@@ -25,4 +25,9 @@ struct LessFriction {
 std::optional<LessFriction> with_less_friction(const SceneFile& file, const Answer<double>& answer,
                                                double part);
 
+/// With hardly any, to ask whether it rests then: under the law of pads, and where no contacts may
+/// squeeze it against each other, for how hard they would nobody says.
+std::optional<LessFriction> with_hardly_any_friction(const SceneFile& file,
+                                                     const Answer<double>& answer);
+
 } // namespace lcpush::desktop

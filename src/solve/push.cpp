@@ -234,22 +234,26 @@ std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& 
   return std::nullopt;
 }
 
-OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns,
-                     bool is_round) {
+Index paths_to_search(const PushOptions& options, bool is_round) {
+  return options.other_paths + (is_round && options.other_paths > 1 ? 1 : 0);
+}
+
+OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns) {
   OtherPath other{std::nullopt, options};
   other.options.solver = Solver::lemke;
   other.options.record_history = false;
   other.options.watcher = options.searching;
   other.options.max_pivots =
       std::max<Index>(1, limits::unknowns_pivoted_in_search / (unknowns * options.other_paths));
-  const SolveSettings settings;
-  if (!is_round || k > static_cast<Index>(std::size(settings.quarter_turns))) {
+  // One covering vector that goes astray is not to use up the search.
+  other.options.lemke.max_pivots =
+      std::min(LemkeSettings::most_pivots(unknowns), other.options.max_pivots);
+  if (k <= options.other_paths) {
     other.options.lemke.first_cover += k * options.lemke.covers;
-    return other;
+  } else {
+    other.turned = file;
+    for (Body<double>& body : other.turned->bodies) body.tangent = -body.tangent;
   }
-  other.turned = file;
-  for (int turn = 0; turn < settings.quarter_turns[k - 1]; ++turn)
-    for (Body<double>& body : other.turned->bodies) body.tangent = cross(body.normal, body.tangent);
   return other;
 }
 
@@ -283,9 +287,11 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
       compare(*other);
       report.is_friction_open = report.other.has_value();
     }
-  for (Index k = 1; affordable && k <= options.other_paths; ++k) {
+  const Index paths = paths_to_search(options, has_round_friction(scene_));
+  for (Index k = 1; affordable && k <= paths; ++k) {
+    if (k > options.other_paths && report.other) break;
     PressureRun ignored;
-    const OtherPath path = other_path(file_, options, k, layout().size, has_round_friction(scene_));
+    const OtherPath path = other_path(file_, options, k, layout().size);
     std::optional<Push> turned;
     Push& push = on(path, turned);
     if (push.run(path.options, 1.0, ignored) != Status::solved) continue;

@@ -78,21 +78,22 @@ Status Push::rest(const PushOptions& options) {
 }
 
 /// Pivots begin without forces, and end in a fall that the laws allow where they allow rest as
-/// well: friction that sticks lifts or drags, as much as it takes, what rests without it. Then it
-/// is at rest as before.
+/// well: friction that sticks may lift or drag what would rest without it, and nothing makes it.
 HoldReport Push::holds_without_push(const PushOptions& options) {
   const SceneFile alone = hand_at_rest(file_);
   const HoldReport report = rest_alone(alone, options);
-  if (report.status != Status::solved || report.holds || alone.bodies.empty()) return report;
-  const auto less = with_less_friction(alone, work_.answer, SolveSettings().less_friction[0]);
+  if (report.status != Status::solved || report.holds) return report;
+  const auto less = with_hardly_any_friction(alone, work_.answer);
   if (!less) return report;
   Push push(less->file);
   const HoldReport rest = push.rest_alone(less->file, options);
   if (rest.status != Status::solved || !rest.holds) return report;
   // Forces within smaller cones, and nothing moves: an answer of the given scene.
-  work_.answer.acceleration = push.work_.answer.acceleration;
-  std::copy(push.work_.answer.contacts.begin(), push.work_.answer.contacts.end(),
-            work_.answer.contacts.begin());
+  const Answer<double>& held = push.work_.answer;
+  work_.answer.acceleration = held.acceleration;
+  std::copy(held.contacts.begin(), held.contacts.end(), work_.answer.contacts.begin());
+  std::copy(held.friction.begin(), held.friction.end(), work_.answer.friction.begin());
+  std::copy(held.closing.begin(), held.closing.end(), work_.answer.closing.begin());
   return rest;
 }
 
@@ -199,8 +200,10 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
     report.is_friction_open = report.unique_force == Uniqueness::no;
     break;
   }
-  for (Index k = 1; k <= options.other_paths; ++k) {
-    const OtherPath path = other_path(file_, options, k, layout().size, has_round_friction(scene_));
+  const Index paths = paths_to_search(options, has_round_friction(scene_));
+  for (Index k = 1; k <= paths; ++k) {
+    if (k > options.other_paths && !report.others.empty()) break;
+    const OtherPath path = other_path(file_, options, k, layout().size);
     std::optional<Push> turned;
     Push& push = on(path, turned);
     if (is_over(push.break_grasp(path.options, report.pusher, second, ignored)) &&

@@ -97,16 +97,18 @@ AnyRounds Push::rounds_by(Pivots& pivots, const PushOptions& options, Watcher& w
   return AnyRounds(by_pivots);
 }
 
-/// Another path of pivots to an answer of the same laws.
+/// Another path of pivots to an answer of the same laws, in a search that may take as long as some
+/// half a second; after sweeps pivots are a second opinion too.
 struct OtherPath {
-  std::optional<SceneFile> turned; ///< the scene, where not the covering vector alone is another
+  std::optional<SceneFile> turned; ///< the scene, where not the covering vector is another
   PushOptions options;
 };
 
-/// The k-th one, in a search that may take as long as some half a second; after sweeps pivots are a
-/// second opinion too. Round friction has no directions of its own: pivots begin with others of its
-/// rays where bodies' tangents are turned.
-OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns,
-                     bool is_round);
+/// The k-th one: under other covering vectors, and then, where friction is round and has no
+/// directions of its own, from the opposite ones. Of 8 grasps whose image in a mirror has another
+/// answer that led to one in 7.
+OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns);
+/// How many there are; the last for where the others have led to nothing else.
+Index paths_to_search(const PushOptions& options, bool is_round);
 
 } // namespace lcpush::desktop

@@ -47,10 +47,6 @@ struct SolveSettings {
   /// Two answers are one where motions and forces differ by no more than this, relative: pads
   /// settle to 1.5e-11, and the worst conditioned of 10,000 random grasps lose five digits.
   double same = 1e-5;
-  /// Of the other paths of pivots the first begin with round friction's directions turned by so
-  /// many right angles: of 10 grasps whose image in a mirror has another answer they find one in 5,
-  /// other covering vectors in 2.
-  int quarter_turns[2] = {2, 1};
   /// Parts of what sticks' friction, with which another answer is looked for: hardly any, as who
   /// counts by hand, with half, or where that slips with hardly less.
   double less_friction[3] = {1e-6, 0.5, 0.9};

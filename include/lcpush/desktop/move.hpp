@@ -125,7 +125,7 @@ struct MotionReport {
   std::optional<double> error;      ///< m, estimated, of controlled steps
   double penetration = 0;           ///< m, the deepest
   double pressed_gap = 0;           ///< m, the largest across which a point presses at a step's end
-  std::vector<BodyForce> first;     ///< once what starts at once has started
+  std::vector<BodyForce> first;     ///< once what starts at once has started: in the second step
   double residual = 0;              ///< the laws' largest, by check
 };
 

@@ -75,7 +75,7 @@ public:
   std::string actuator_name(Index actuator) const;
   const Scene<double>& scene() const { return scene_; } ///< as solved: even pressure is spread
   const Layout<double>& layout() const { return assembly_.layout(); }
-  /// Of the last question; of find_breaking without other covers, at its small push.
+  /// Of the last question; of find_breaking without other paths, at its small push.
   const Answer<double>& last_answer() const { return work_.answer; }
   Assembly<double>& assembly() { return assembly_; }
   const Assembly<double>& assembly() const { return assembly_; }

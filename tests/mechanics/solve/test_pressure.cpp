@@ -76,11 +76,14 @@ TEST_CASE(
   scene.add_body(Role::pusher, {0, 1, 0}, 0.2,
                  {{0, -0.015, 0}, {0.01, -0.015, 0}, {0.02, -0.015, 0}});
   CHECK(Pad(scene).compliance(4) == doctest::Approx(0.003));
-  scene.bodies.back().role = Role::finger; // a stop, of the only one
+  scene.bodies.back().role = Role::finger; // the hand's only stop
   CHECK(Pad(scene).compliance(4) == doctest::Approx(0.003));
 
   Scene3 feet = on_feet({0, 1, 2, 3});
   for (Index i = 0; i < 4; ++i) CHECK(Pad(feet).compliance(i) == doctest::Approx(0.001));
+  feet.bodies[0].preload = feet.bodies[1].preload = 1; // locked fingers are no stops
+  for (Index i = 0; i < 4; ++i) CHECK(Pad(feet).compliance(i) == (i < 2 ? 1 : 0));
+  feet.bodies[0].preload = feet.bodies[1].preload = 0;
   feet.bodies[0].role = feet.bodies[1].role = Role::pusher;
   for (Index i = 0; i < 4; ++i) CHECK(Pad(feet).compliance(i) == 0); // two stops: no
 }

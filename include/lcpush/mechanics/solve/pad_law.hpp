@@ -8,9 +8,10 @@
 namespace lcpush {
 namespace detail {
 
-/// Is a body a stop of the hand: a finger that moves with it and that no actuator presses?
+/// Is a body a stop of the hand: a finger that moves with it, and presses by no force of its own?
 template <class S> bool is_stop(const Scene<S>& scene, Index body) {
-  return scene.bodies[body].role == Role::finger && !is_driven(scene, body);
+  const Body<S>& stop = scene.bodies[body];
+  return stop.role == Role::finger && !is_driven(scene, body) && !(stop.preload > S(0));
 }
 
 } // namespace detail
@@ -18,9 +19,9 @@ template <class S> bool is_stop(const Scene<S>& scene, Index body) {
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
 /// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch, be it of one
 /// point (how the fingers of a jaw share its force may be open), and on a locked finger; a
-/// thousandth of that on another position-controlled body whose points, for a stop of the hand
-/// those of all its stops, may share their force in many ways: more than two; 0 otherwise. And
-/// lambda^(0): w_i of each patch's own force or preload, 0 where there is none.
+/// thousandth of that on another position-controlled body of more than two points, which may share
+/// its force in many ways, and on all stops of the hand where they have more than two together; 0
+/// otherwise. And lambda^(0): w_i of each patch's own force or preload, 0 where there is none.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   const Scene<S>& scene = assembly.scene();
   Index stop_points = 0;
