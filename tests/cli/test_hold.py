@@ -291,6 +291,15 @@ class ClosedForms(unittest.TestCase):
                 self.assertAlmostEqual(30 * least, force - 0.2 * 0.5 * 9.81, delta=0.05, msg=f"{planar} {force}")
 
     def test_a_squeeze_that_nobody_gives_is_said_to_be_one(self):
+        """Nor does it hold a box whose jaws stick: a rough stop above, a smooth table below, 9.3 N aside."""
+        text = scene(finger("left", None, [-1, 0, 0], 0.4, shape="line", ends=[[0.03, -0.02, 0], [0.03, 0.02, 0]], points=3,
+                            grip_force=200)
+                     + finger("right", [-0.03, -0.011, 0], [1, 0, 0], 0.4, grip_force=200)
+                     + finger("stop", [-0.0176, 0.02, 0], [0, -1, 0], 0.1)
+                     + finger("table", None, [0, 1, 0], 0, shape="line", ends=[[-0.03, -0.02, 0], [0.03, -0.02, 0]], points=2),
+                     gravity=(0, -9.81, 0), mass=0.93, box=(0.06, 0.04, 0.04), top="planar = true").replace(
+                         "[object]", '[gripper]\njaws = "independent"\n[object]\nforce = [9.3, 0, 0]')
+        self.assertFalse(hold(text)["held"])
         self.assertIn("nobody says how hard", unwrapped(run(SCENES / "vise.toml").stdout))
 
     def test_laws_that_leave_forces_open_say_so(self):
