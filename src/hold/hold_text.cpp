@@ -43,8 +43,7 @@ std::string falls_words(const SceneFile& file, const HoldStudy& study) {
   const std::string object = object_name(file);
   if (study.grip.force == 0 && study.statics_factor < no_limit && study.falls.along.isZero(0))
     return "Not held by what presses " + object +
-           ". Bodies that stand still may also squeeze it, "
-           "and hold it; nobody says how hard.";
+           ". Bodies that stand still may also squeeze it, and hold it; nobody says how hard.";
   if (study.grip.force == 0) return "Not held: the load " + give_way_words(file, study.falls) + ".";
   if (study.factor == no_limit)
     return "No grip force holds " + object + ": whatever the grip, the load " +

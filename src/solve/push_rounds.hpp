@@ -105,8 +105,8 @@ struct OtherPath {
 };
 
 /// The k-th one: under other covering vectors, and then, where friction is round and has no
-/// directions of its own, from the opposite ones. Of 8 grasps whose image in a mirror has another
-/// answer that led to one in 7.
+/// directions of its own, from the opposite ones. Of 16 grasps whose image in a mirror, or turned,
+/// has another answer that led to one in 11.
 OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns);
 /// How many there are; the last for where the others have led to nothing else.
 Index paths_to_search(const PushOptions& options, bool is_round);
