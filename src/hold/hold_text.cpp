@@ -29,9 +29,12 @@ HoldStudy without_rounding(const SceneFile& file, HoldStudy study) {
   return study;
 }
 
-std::string grip_text(const HoldStudy& study, double factor) {
-  const std::string force =
-      brief(factor * study.grip.force, statics_settings.closed * study.grip.force);
+/// A grip that holds: the least is rounded up, the most down.
+enum class Bound { least, most };
+
+std::string grip_text(const HoldStudy& study, double factor, Bound bound = Bound::least) {
+  const std::string force = brief_within(factor * study.grip.force, bound == Bound::least,
+                                         statics_settings.closed * study.grip.force);
   if (study.grip.of_actuator) return "a force of " + force + " " + study.grip.of;
   return force + " N " + study.grip.of;
 }
@@ -60,7 +63,7 @@ std::string falls_words(const SceneFile& file, const HoldStudy& study) {
            grip_text(study, study.factor) + " may hold " + object + ".";
   if (study.factor <= 1)
     return "Not held: the grip is too hard; from " + grip_text(study, study.factor) + " to " +
-           grip_text(study, study.most) + " would hold " + object + ".";
+           grip_text(study, study.most, Bound::most) + " would hold " + object + ".";
   return "Not held: it takes " + told_apart(study.factor, 1).first + " times the grip, " +
          grip_text(study, study.factor) + "; with less the load " +
          give_way_words(file, study.falls) + ".";
@@ -233,10 +236,11 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
   for (const Fact& fact : press_facts(file, study)) facts.push_back(fact);
   if (study.grip.force > 0 && std::isfinite(study.factor))
     facts.push_back(
-        {"Least grip", grip_text(study, study.factor) + " (of " + brief(study.grip.force) + ")" +
-                           (has_most(study) ? ", and at most " + grip_text(study, study.most) +
-                                                  ": more drives it out"
-                                            : "")});
+        {"Least grip",
+         grip_text(study, study.factor) + " (of " + brief(study.grip.force) + ")" +
+             (has_most(study) ? ", and at most " + grip_text(study, study.most, Bound::most) +
+                                    ": more drives it out"
+                              : "")});
   const bool could_hold = !study.is_statics && study.grip.force > 0 && study.statics_factor <= 1;
   if (study.held == false && could_hold)
     facts.push_back(

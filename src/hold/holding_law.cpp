@@ -51,12 +51,19 @@ double HoldingLaw::least_grip(double bound) {
   };
   if (least <= statics_settings.closed && (is_proved || is_held(0, false))) return 0;
   const double refuted = holds_now_ == false ? std::max(least, 1.0) : least;
-  if (refuted == least && is_held(least * (1 + pads_.slack()), is_proved)) return least;
   const auto is_found = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
+  if (const double more = (1 + pads_.slack()) * least;
+      refuted == least && is_held(more, is_proved)) {
+    if (least <= statics_settings.closed) return 0;
+    // A grip that is told has to hold, and not by the surfaces alone.
+    if (is_found((1 + hold_settings.same) * least) != false) return least;
+    const double of_points = halved(least, more, is_found);
+    return std::isnan(of_points) ? more : of_points;
+  }
   const double found =
       holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, 1, is_found);
   if (found <= statics_settings.closed) return 0; // the bracket's end: nothing has to be held
-  return refuted == least && found <= least * (1 + pads_.slack()) ? least : found;
+  return found;
 }
 
 /// Where surfaces' forces may be a prestress, only what the law holds.

@@ -47,6 +47,13 @@ std::string in_digits(double x, int digits, double zero) {
   return size >= std::pow(10, digits) && size < too_long ? printed("%.0f", rounded) : text;
 }
 
+std::string brief_within(double x, bool up, double zero) {
+  constexpr double rounding = 1e-6; // of the last digit: what six digits leave of a clean number
+  if (!(std::abs(x) > zero) || !std::isfinite(x)) return brief(x, zero);
+  const double digit = std::pow(10, std::floor(std::log10(std::abs(x))) - 2), count = x / digit;
+  return brief((up ? std::ceil(count - rounding) : std::floor(count + rounding)) * digit);
+}
+
 std::pair<std::string, std::string> told_apart(double a, double b, double zero) {
   int digits = 3;
   while (digits < std::numeric_limits<double>::max_digits10 &&

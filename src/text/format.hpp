@@ -36,6 +36,8 @@ std::string in_digits(double x, int digits, double zero = 0);
 
 /// In three digits.
 inline std::string brief(double x, double zero = 0) { return in_digits(x, 3, zero); }
+/// In three digits, none below `x` (`up`) or none above it but for rounding: a bound stays true.
+std::string brief_within(double x, bool up, double zero = 0);
 /// Two numbers that differ, in as many digits as show it, three or more.
 std::pair<std::string, std::string> told_apart(double a, double b, double zero = 0);
 

@@ -19,6 +19,16 @@ TEST_CASE("three digits, and thousands without an exponent") {
   CHECK(brief(1.5e-7) == "1.5e-07");
 }
 
+TEST_CASE("a bound in three digits stays one, and a clean number what it is") {
+  CHECK(brief_within(29.819, true) == "29.9");
+  CHECK(brief_within(29.819, false) == "29.8");
+  CHECK(brief_within(29.8000000001, true) == "29.8");
+  CHECK(brief_within(0.99999999999, false) == "1");
+  CHECK(brief_within(999.2, true) == "1000");
+  CHECK(brief_within(1e-14, true, 1e-13) == "0");
+  CHECK(brief_within(-1.239, false) == "-1.24");
+}
+
 TEST_CASE("a slip is a word that is near, or part of one; another word is not") {
   const std::vector<std::string> keys{"friction", "grip_force", "center"};
   const auto meant = [&](const char* word) { return suggestion(word, keys); };
