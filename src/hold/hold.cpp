@@ -163,7 +163,8 @@ public:
     const Vector3<double> more =
         hand_.gravity.norm() * ((std::cos(angle) - 1) * down + std::sin(angle) * aside);
     const HoldLimit held = limit({Disturbance::acceleration, -more.normalized()});
-    return held.limit >= more.norm() ? all->angle : of_pads->angle; // not known: of pads
+    // Not known: all that is sure is that statics allows no more.
+    return held.limit < more.norm() ? of_pads->angle : all->angle;
   }
 
   /// By the scene's law: which grips hold, and does the scene's own?
@@ -248,8 +249,10 @@ private:
         },
         hold_settings.beside * weight);
     if (!near) return std::nullopt;
+    // What statics alone says is so much; where pads have their law it is at most so much.
     const bool is_closed = near->upper - near->lower <= hold_settings.same * near->upper;
-    return Tilt{std::max(0.0, is_closed ? near->upper : near->lower), near->direction};
+    const bool is_upper = is_closed || !study_.is_statics;
+    return Tilt{std::max(0.0, is_upper ? near->upper : near->lower), near->direction};
   }
   static double pi() { return std::acos(-1.0); }
   Vector3<double> at() const { return study_.at - hand_.object.center_of_mass; }
