@@ -1,5 +1,8 @@
 #include "draw/view.hpp"
 
+#include <array>
+#include <cstdint>
+
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
@@ -52,37 +55,47 @@ Sight centered(const View& view, const Frame& shown, double meters, const Pixel&
 }
 
 std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
+  // On a grid turns are exact: two corners that rounding has made of one cannot be walked to and
+  // fro. Its products stay below 2^62.
+  using Cell = std::array<std::int64_t, 2>;
+  double across = 0;
+  for (const Pixel& p : points) across = std::max(across, (p - points[0]).norm());
+  const double cells = across > 0 ? std::ldexp(1, 29) / across : 0;
+  std::vector<Cell> at;
+  for (const Pixel& p : points)
+    at.push_back(
+        {std::llround(cells * (p - points[0]).x()), std::llround(cells * (p - points[0]).y())});
+  const auto turn = [&at](std::size_t o, std::size_t a, std::size_t b) {
+    return (at[a][0] - at[o][0]) * (at[b][1] - at[o][1]) -
+           (at[a][1] - at[o][1]) * (at[b][0] - at[o][0]);
+  };
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto turn = [&points](std::size_t o, std::size_t a, std::size_t b) {
-    const Pixel u = points[a] - points[o], v = points[b] - points[o];
-    return u.x() * v.y() - u.y() * v.x();
-  };
-  double across = 0;
-  for (const Pixel& p : points) across = std::max(across, (p - points[0]).squaredNorm());
-  const double unseen = 1e-12 * across; // two corners that rounding has made of one
   std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return points[i].x() < points[j].x(); });
-  // Above each other but for rounding: from below upwards, or a side would be walked to and fro.
-  for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
-    const auto is_beside = [&](std::size_t i, std::size_t j) {
-      return points[j].x() - points[i].x() <= 1e-9 * std::sqrt(across);
-    };
-    for (end = begin + 1; end != order.end() && is_beside(*(end - 1), *end);) ++end;
-    std::sort(begin, end,
-              [&](std::size_t i, std::size_t j) { return points[i].y() < points[j].y(); });
-  }
-  if (points.size() < 3) return order;
+            [&](std::size_t i, std::size_t j) { return at[i] < at[j]; });
+  const auto is_one = [&](std::size_t i, std::size_t j) { return at[i] == at[j]; };
+  order.erase(std::unique(order.begin(), order.end(), is_one), order.end());
+  if (order.size() < 3) return order;
   std::vector<std::size_t> all;
   for (int half = 0; half < 2; ++half) {
     const std::size_t first = all.size();
     for (const std::size_t p : order) {
-      while (all.size() > first + 1 && turn(all[all.size() - 2], all.back(), p) <= unseen)
+      while (all.size() > first + 1 && turn(all[all.size() - 2], all.back(), p) <= 0)
         all.pop_back();
       all.push_back(p);
     }
     all.pop_back(); // it begins the other half
     std::reverse(order.begin(), order.end());
+  }
+  // Points of a side stand off it by a cell, for which it is no corner.
+  for (std::size_t k = 0; k < all.size() && all.size() > 2;) {
+    const std::size_t before = all[(k + all.size() - 1) % all.size()],
+                      after = all[(k + 1) % all.size()];
+    const double side = (points[after] - points[before]).norm() * cells;
+    if (static_cast<double>(turn(before, all[k], after)) <= 2 * side)
+      all.erase(all.begin() + static_cast<std::ptrdiff_t>(k));
+    else
+      ++k;
   }
   return all;
 }
