@@ -1,6 +1,7 @@
 // design: the numbers of a scene with which a push sticks for the widest box.
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
+#include "design/design_space.hpp"
 #include "lcpush/desktop/design.hpp"
 #include "lcpush/desktop/funnel.hpp"
 #include "scenes/mirror.hpp"
@@ -76,6 +77,29 @@ Result run_funnel(const Values& values, Listener&) {
           format == "json" ? funnel_json(file, report) : funnel_text(file, report, goal)};
 }
 
+/// Of a scene that is plane by its own symmetry: a choice would leave that. Not of a friction or a
+/// grip: they are uncertain one by one, too.
+void refuse_leaving_plane(const VariedScene& scene, const Values& values) {
+  const DesignSpace space(scene, values.texts("choose"), values.texts("tolerance"));
+  for (std::size_t j = 0; j < space.choices().size(); ++j) {
+    const DesignSpace::Choice& choice = space.choices()[j];
+    const std::string& key = choice.parameters.front().places.front().key;
+    if (key == "friction" || key == "grip_force" || key == "force") continue;
+    for (const double end : {choice.from, choice.to}) {
+      std::vector<double> at = space.given();
+      at[j] = end;
+      if (is_plane(space.scene_at(at).as_given())) continue;
+      values.refuse("choose", values.label("choose") + " " + choice.path + ": with " + shown(end) +
+                                  " the scene is no longer its own image across z, and a design "
+                                  "is one of motions in the plane. Choose the same of its image "
+                                  "with it, as \"*." +
+                                  choice.path.substr(choice.path.find('.') + 1) +
+                                  "\" does, or say planar = true if the object cannot leave the "
+                                  "plane");
+    }
+  }
+}
+
 Result run_design(const Values& values, Listener& listener) {
   if (values.has("from-box")) return run_funnel(values, listener);
   if (values.has("goal"))
@@ -86,6 +110,7 @@ Result run_design(const Values& values, Listener& listener) {
                                 values.label("choose") + " wall.shift[1]=-0.005:0.005");
   VariedScene scene = values.varied_scene(Needs::scene);
   if (const SceneFile file = scene.as_given(); !file.planar && file.is_round && is_plane(file)) {
+    refuse_leaving_plane(scene, values);
     listener.announce("The scene is its own image across z: taken as planar = true.");
     scene.set_planar();
   }
