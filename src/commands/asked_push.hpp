@@ -16,6 +16,13 @@ struct AskedPush {
       : file(std::move(scene)), push(file) {
     options.solver = solver;
     options.watcher = options.searching = &listener;
+    options.stop = [this, &listener](double part) {
+      const Stop now = listener.stop(part);
+      if (now != Stop::none && !std::exchange(is_late_, true))
+        listener.announce("The answer took long: what else there may be (other answers, the least "
+                          "grip) was not searched for to the end. More --seconds do.");
+      return now;
+    };
     if (!file.start.isZero(0))
       listener.announce("The object is taken at rest; with its velocity begins `lcpush move`.");
   }
@@ -25,6 +32,9 @@ struct AskedPush {
   SceneFile file;
   Push push;
   PushOptions options;
+
+private:
+  bool is_late_ = false;
 };
 
 } // namespace lcpush::commands

@@ -53,6 +53,7 @@ SmallestGrip search_upwards(double bound, double load, double known, const Preci
                             const CountingWatcher& work, const GripQuestion& holds) {
   SmallestGrip grip;
   grip.bound = bound;
+  if (work.is_used_up()) return grip;
   const double unit = std::max(bound, load / 1000);
   if (!(unit > 0) || holds(grip.bound + nudge * unit) || (grip.bound > 0 && holds(grip.bound))) {
     grip.factor = grip.certain = grip.bound;

@@ -12,7 +12,7 @@ namespace lcpush::desktop {
 using GripQuestion = std::function<bool(double factor)>; // does the scene hold at this factor?
 
 /// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
-/// count and no clock: the same input gives the same bits.
+/// count before the clock: the same input gives the same bits, but where a command's time ends.
 class CountingWatcher : public Watcher {
 public:
   explicit CountingWatcher(const PushOptions& options) : given_(options), counting_(options) {
@@ -23,7 +23,7 @@ public:
   CountingWatcher& operator=(const CountingWatcher&) = delete;
 
   const PushOptions& options() const { return counting_; }
-  bool is_used_up() const { return multiplications_ > until_; }
+  bool is_used_up() const { return multiplications_ > until_ || is_late(given_); }
   /// What follows may use so much of all there is, until this is said again.
   void allow(double part) { until_ = std::min(most, multiplications_ + part * most); }
 

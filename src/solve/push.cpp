@@ -217,7 +217,7 @@ std::vector<NamedValue> Push::closings(double unit) const {
 std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& options) const {
   for (const double part : SolveSettings().less_friction) {
     const auto less = with_less_friction(file_, work_.answer, part);
-    if (!less) break;
+    if (!less || is_late(options)) break;
     Push push(less->file);
     push.assembled_.assemble(file_.is_round && has_round_friction(scene_));
     PressureRun ignored;
@@ -232,6 +232,10 @@ std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& 
     if (left.max() <= Tolerances<double>().residual) return found;
   }
   return std::nullopt;
+}
+
+bool is_late(const PushOptions& options) {
+  return stop_now(options.stop, SolveSettings().search_time) != Stop::none;
 }
 
 Index paths_to_search(const PushOptions& options, bool is_round) {
@@ -289,7 +293,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     }
   const Index paths = paths_to_search(options, has_round_friction(scene_));
   for (Index k = 1; affordable && k <= paths; ++k) {
-    if (k > options.other_paths && report.other) break;
+    if ((k > options.other_paths && report.other) || is_late(options)) break;
     PressureRun ignored;
     const OtherPath path = other_path(file_, options, k, layout().size);
     std::optional<Push> turned;

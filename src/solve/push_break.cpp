@@ -187,7 +187,7 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   Breaking<double> second;
   PressureRun ignored;
   for (const double part : SolveSettings().less_friction) {
-    if (options.other_paths == 0 || undetermined_body(scene_) < 0) break;
+    if (options.other_paths == 0 || undetermined_body(scene_) < 0 || is_late(options)) break;
     const auto less = with_less_friction(file_, work_.answer, part);
     if (!less) break;
     Push push(less->file);
@@ -202,7 +202,7 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   }
   const Index paths = paths_to_search(options, has_round_friction(scene_));
   for (Index k = 1; k <= paths; ++k) {
-    if (k > options.other_paths && !report.others.empty()) break;
+    if ((k > options.other_paths && !report.others.empty()) || is_late(options)) break;
     const OtherPath path = other_path(file_, options, k, layout().size);
     std::optional<Push> turned;
     Push& push = on(path, turned);

@@ -50,6 +50,9 @@ struct SolveSettings {
   /// Parts of what sticks' friction, with which another answer is looked for: hardly any, as who
   /// counts by hand, with half, or where that slips with hardly less.
   double less_friction[3] = {1e-6, 0.5, 0.9};
+  /// Of the time there is, after which no further search is begun: each may take as long as the
+  /// answer took, and what is there is to be written.
+  double search_time = 0.5;
   /// A derivative follows pads and turning friction in so many passes at most, until one changes it
   /// by no more than this part: each leaves a pad's last compliance of it, mostly 1e-4.
   Index most_passes = 60;

@@ -171,3 +171,25 @@ TEST_CASE("[T.12] 'from' is said only where more holds as well") {
   const desktop::GripReport holds = grip_of(pinch(0.5, 1, 9.81, Pressure::pad));
   CHECK(holds.alone.more == desktop::MoreGrip::not_known);
 }
+
+TEST_CASE("an answer that took long stands without what was to be searched for beside it") {
+  desktop::PushOptions late;
+  late.stop = [](double part) {
+    CHECK(part < 1); // the rest of the time is for writing it
+    return desktop::Stop::time;
+  };
+  const desktop::SceneFile file = fixture("straight_slide.toml");
+  desktop::Push push(file);
+  const desktop::HoldReport hold = push.holds_without_push(late);
+  const desktop::PushReport solved = push.solve(late);
+  CHECK(solved.status == Status::solved);
+  CHECK(solved.paths_compared == 0);
+  CHECK(push.solve({}).paths_compared > 0);
+  const desktop::BreakReport broken =
+      push.find_breaking(static_cast<Index>(file.bodies.size()) - 1, late);
+  CHECK(broken.status == Status::solved);
+  CHECK(broken.unique_force == Uniqueness::not_tested);
+  const desktop::GripReport grip = desktop::find_smallest_grip(file, hold, broken, late);
+  CHECK(grip.alone.source == desktop::GripSource::not_known);
+  CHECK(grip.alone.bound == Approx(1.962 / 20).epsilon(1e-6)); // m g / (2 mu)
+}

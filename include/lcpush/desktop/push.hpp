@@ -7,6 +7,7 @@
 #include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/push_reports.hpp"
+#include "lcpush/desktop/stop.hpp"
 #include "lcpush/desktop/watcher.hpp"
 #include "lcpush/lcp/sweeps/judged_sweeps.hpp"
 
@@ -34,7 +35,11 @@ struct PushOptions {
   decltype(&find_sensitivity) study_commands = nullptr;
   Watcher* watcher = nullptr;   ///< told of all pivots and sweeps of the answer
   Watcher* searching = nullptr; ///< told of those of the search for other answers
+  StopCheck stop;               ///< asked before each search for what stands beside the answer
 };
+
+/// Is there no time for another search beside the answer, which may take as long as that took?
+bool is_late(const PushOptions& options);
 
 class AnyRounds;
 struct OtherPath;
