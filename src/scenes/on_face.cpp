@@ -91,7 +91,9 @@ std::pair<Rational, Rational> edge_on_face(const TableReader& object, const Tabl
                                  axis_name(along) + "; give a length, or leave this offset 0");
     return {-half, half};
   }
-  if (contact.has("shift")) { // what lies beside the face is cut off where it then stands
+  const bool is_shifted =
+      contact.has("shift") && contact.vector3<Rational>("shift") != Vector3<Rational>::Zero();
+  if (is_shifted) { // what lies beside the face is cut off where it then stands
     const Rational reach = contact.number<Rational>("length", Sign::positive) / Rational(2);
     return {offset[along] - reach, offset[along] + reach};
   }

@@ -151,7 +151,10 @@ private:
   void read_pushers() {
     for (std::size_t i = 0; i < count("pusher"); ++i) {
       const TableReader table = reader("pusher", i);
-      if (strokes_ == Strokes::first && read_stroke(table).from > 0) continue;
+      if (strokes_ == Strokes::first && read_stroke(table).from > 0) {
+        scene_.later.push_back(claim_name(table));
+        continue;
+      }
       read_body(Role::pusher, table);
       pushers_.push_back(table);
     }
@@ -365,24 +368,17 @@ bool is_well_placed(const TomlDocument& document, std::optional<Hand> unsaid_han
   });
 }
 
-} // namespace
-
+/// The same of a document whose contacts stand at places; `is_well`: on the object's faces, as was
+/// typed.
 template <class S>
-SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
-                       Strokes strokes) {
-  if (has_contacts_on_faces(document)) {
-    SceneOf<S> scene = build_scene<S>(with_typed_places(document), unsaid_hand, strokes);
-    scene.lines.all_on_faces = are_all_on_faces(document);
-    note_ranges(document, scene.lines);
-    return scene;
-  }
+SceneOf<S> build_placed(const TomlDocument& document, std::optional<Hand> unsaid_hand,
+                        Strokes strokes, bool is_well) {
   if (has_turned_object(document)) {
-    SceneOf<S> scene = build_scene<S>(in_object_frame(document), unsaid_hand, strokes);
+    SceneOf<S> scene = build_placed<S>(in_object_frame(document), unsaid_hand, strokes, is_well);
     if constexpr (!std::is_same_v<S, double>)
       scene.inexact.push_back(
           "the rotation of the object is irrational: a fraction within 1e-12 of "
           "it is used");
-    note_ranges(document, scene.lines);
     return scene;
   }
   SceneBuilder<S> builder(document, unsaid_hand, Strokes::all);
@@ -390,9 +386,24 @@ SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_
   if (strokes == Strokes::first) {
     const bool has_later = std::any_of(scene.strokes.begin(), scene.strokes.end(),
                                        [](const Stroke& stroke) { return stroke.from > 0; });
-    const bool cuts = builder.reaches_beyond() && is_well_placed(document, unsaid_hand);
+    const bool cuts =
+        builder.reaches_beyond() && (is_well || is_well_placed(document, unsaid_hand));
     if (has_later || cuts) scene = SceneBuilder<S>(document, unsaid_hand, strokes, cuts).build();
   }
+  return scene;
+}
+
+} // namespace
+
+template <class S>
+SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
+                       Strokes strokes) {
+  const bool all_on_faces = are_all_on_faces(document);
+  SceneOf<S> scene =
+      has_contacts_on_faces(document)
+          ? build_placed<S>(with_typed_places(document), unsaid_hand, strokes, all_on_faces)
+          : build_placed<S>(document, unsaid_hand, strokes, false);
+  scene.lines.all_on_faces = all_on_faces;
   note_ranges(document, scene.lines);
   return scene;
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
@@ -39,7 +40,52 @@ std::string refusal_of_value(const std::string& path) {
   return "found";
 }
 
+/// As read once and as numbers that may vary: the same scene?
+void is_the_same(const std::string& text) {
+  CAPTURE(text);
+  const SceneFile read = parse_scene(text, "s.toml");
+  const SceneFile varied = VariedScene::parse(text, "s.toml").as_given();
+  REQUIRE(read.positions.size() == varied.positions.size());
+  for (std::size_t i = 0; i < read.positions.size(); ++i)
+    CHECK(read.positions[i] == varied.positions[i]);
+  CHECK(read.weights == varied.weights);
+  CHECK(read.overhang == varied.overhang);
+  CHECK(read.gravity == varied.gravity);
+  CHECK(read.object.wrench == varied.object.wrench);
+  CHECK(read.object.center_of_mass == varied.object.center_of_mass);
+  REQUIRE(read.bodies.size() == varied.bodies.size());
+  for (std::size_t b = 0; b < read.bodies.size(); ++b) {
+    CHECK(read.bodies[b].normal == varied.bodies[b].normal);
+    CHECK(read.bodies[b].tangent == varied.bodies[b].tangent);
+    CHECK(read.bodies[b].acceleration == varied.bodies[b].acceleration);
+    CHECK(read.bodies[b].preload == varied.bodies[b].preload);
+  }
+}
+
 } // namespace
+
+TEST_CASE("what may vary and does not is the scene as it is read") {
+  for (const char* const folder : {"scenes", "canonical", "regressions"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(LCPUSH_SOURCE_DIR "/fixtures/" + std::string(folder)))
+      if (entry.path().extension() == ".toml")
+        is_the_same(scene_text(entry.path().filename().string(), folder));
+  // Pads that reach beyond their face, in the middle of it and beside.
+  for (const char* const shape :
+       {"shape = \"line\"; along = \"x\"; length = 0.04",
+        "shape = \"rectangle\"; size = [0.04, 0.01]", "shape = \"disc\"; radius = 0.01"})
+    for (const char* const center : {"0, 0", "0.013, 0", "-0.018, 0.04", "0.0186, -0.004"}) {
+      const std::string place = std::string(shape) + "; center = [" + center + "]";
+      is_the_same(
+          lcpush::test::table("[object]", "mass = 0.7; box = [0.038, 0.09, 0.13]") +
+          lcpush::test::table("[[finger]]", "name = \"left\"; on = \"+z\"; friction = 0.5; "
+                                            "grip_force = 14; " +
+                                                place) +
+          lcpush::test::table("[[finger]]", "name = \"right\"; on = \"-z\"; friction = 0.5; "
+                                            "grip_force = 14; " +
+                                                place));
+    }
+}
 
 TEST_CASE("a path names one number of the file") {
   CHECK(slide_with("object.mass", 0.7).object.mass == 0.7);
