@@ -42,36 +42,39 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
   return rest.holds;
 }
 
+/// By what the pads' points bear, or statics, where the law agrees there or a little above: between
+/// answers that rest it may find some that fall.
 double HoldingLaw::least_grip(double bound) {
+  const auto is_held = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
   const bool is_proved = !std::isnan(pads_least_) && knows_prestress_;
-  const double least = is_proved ? std::max(bound, pads_least_) : bound;
-  if (holds_now_ == true && least > 1) return 1;
-  const auto is_held = [&](double factor, bool unknown) {
-    return holds(factor, Vector6<double>::Zero()).value_or(unknown);
-  };
-  if (least <= statics_settings.closed && (is_proved || is_held(0, false))) return 0;
-  const double refuted = holds_now_ == false ? std::max(least, 1.0) : least;
-  const auto is_found = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
-  if (const double more = (1 + pads_.slack()) * least;
-      refuted == least && is_held(more, is_proved)) {
-    if (least <= statics_settings.closed) return 0;
-    // A grip that is told has to hold, and not by the surfaces alone.
-    if (is_found((1 + hold_settings.same) * least) != false) return least;
-    const double of_points = halved(least, more, is_found);
-    return std::isnan(of_points) ? more : of_points;
-  }
-  const double found =
-      holds_now_ == true ? halved(refuted, 1, is_found) : searched(refuted, 1, is_found);
-  if (found <= statics_settings.closed) return 0; // the bracket's end: nothing has to be held
-  return found;
+  const bool is_locked = hand_.hand == Hand::locked; // the law counts on a wedge, and nobody should
+  const double start = is_proved ? std::max(bound, pads_least_) : bound;
+  if (start <= statics_settings.closed && is_held(0).value_or(is_proved)) return 0;
+  if (is_locked && holds_now_ == true && start > 1) return std::numeric_limits<double>::quiet_NaN();
+  // Pads' points touch in more than one way, and these forces are the best of one.
+  const bool may_be_less = is_proved && !is_locked && bound < (1 - hold_settings.of_points) * start;
+  if (may_be_less && is_held((1 + hold_settings.same) * bound) == true) return bound;
+  const bool is_refuted = holds_now_ == false && start <= 1;
+  double least = start;
+  if (may_be_less && is_held((1 + hold_settings.same) * start) == true)
+    least = lowered(start, bound, is_held);
+  else if (is_refuted || !is_held((1 + hold_settings.of_points) * start).value_or(is_proved))
+    least = searched(is_refuted ? 1 : start, 1, is_held);
+  if (holds_now_ == true && !(least <= 1)) least = lowered(1, bound, is_held);
+  return least <= statics_settings.closed ? 0 : least;
 }
 
-/// Where surfaces' forces may be a prestress, only what the law holds.
+/// More than the most is a grip that the law does not hold, or there is none that is known. Where
+/// surfaces' forces may be a prestress, only what the law holds.
 double HoldingLaw::most_grip(double bound) {
   const double pads = pads_.grip(false);
-  if (knows_prestress_ || holds_now_ != true) return pads;
-  const double most = std::isfinite(pads) ? std::min(pads, bound) : bound;
   const auto is_held = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
+  if (holds_now_ != true) return pads;
+  if (knows_prestress_)
+    return std::isfinite(pads) && is_held((1 + hold_settings.beyond) * pads) == true
+               ? std::numeric_limits<double>::infinity()
+               : pads;
+  const double most = std::isfinite(pads) ? std::min(pads, bound) : bound;
   const double far = std::min(most, statics_settings.most_force);
   if (is_held(far) == true) return most;
   return far > 1 ? halved(far, 1, is_held) : 1;
@@ -116,6 +119,20 @@ double HoldingLaw::not_less(double held, const Question& is_held) const {
   for (const double part : hold_settings.less)
     if (is_held(part * held) == false) return halved(part * held, 0, is_held);
   return held;
+}
+
+/// From what holds downwards, with longer and longer strides: the end of what is found to hold.
+double HoldingLaw::lowered(double held, double bound, const Question& is_held) const {
+  for (double step = hold_settings.first_step * held;; step *= 2) {
+    const double next = std::max(held - step, bound);
+    if (!(next < held) || work_.is_used_up()) return held;
+    if (is_held((1 + hold_settings.same) * next) == true) {
+      held = next;
+      continue;
+    }
+    const double found = halved(next, held, is_held);
+    return std::isnan(found) ? held : found; // which holds, though it may not be the least
+  }
 }
 
 /// From what does not hold upwards or downwards: the nearest that is found to hold. What lies

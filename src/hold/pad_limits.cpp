@@ -81,7 +81,8 @@ double PadLimits::limit(const Vector6<double>& wrench, bool for_picture) const {
 }
 
 double PadLimits::grip(bool least) const {
-  return best({Vector6<double>::Zero(), true, least}, work_);
+  std::vector<bool> touching(touching_.size(), true); // whatever the present grip presses
+  return climb(hand_, {Vector6<double>::Zero(), true, least}, touching, work_);
 }
 
 } // namespace lcpush::desktop

@@ -31,7 +31,8 @@ public:
   /// The largest factor on a wrench, [N; N m], that is held beside the load; nan: none is found, or
   /// all of them have cost too much, unless it is for a picture.
   double limit(const Vector6<double>& wrench, bool for_picture = false) const;
-  /// The least factor on the grip, or the most.
+  /// The least factor on the grip, or the most: of the scene's own points, as a grip that is told
+  /// has to hold.
   double grip(bool least) const;
 
 private:
