@@ -169,10 +169,11 @@ private:
   /// Where it is not solved, the pair is none.
   Status solve_pair(double h, const MotionRun::Saved& before, Pair& pair) {
     Status status = solve(h);
+    if (status != Status::solved) return status;
     const MotionRun::State whole = run_.state();
     const std::vector<Touch> touches = run_.touches();
     run_.restore(before);
-    if (status == Status::solved) status = solve_halves(h, pair);
+    status = solve_halves(h, pair);
     if (status != Status::solved) return status;
     pair.error = distance(whole.moment.pose, run_.stepper().pose());
     const bool is_smooth = !pair.has_event && run_.touches() == touches;
@@ -220,12 +221,12 @@ private:
     Pair pair;
     const Status status = solve_pair(h, before, pair);
     if (status != Status::solved) {
-      const bool is_lost = run_.stepper().run().lost;
-      run_.restore(before);
-      next_ = h / 2;
       const bool leaps = run_.stepper().run().reason == Reason::leap;
       const double least = leaps ? Settings::shortest_step : Settings::event_step / 4;
-      return h > least * time_ || fail(status, is_lost);
+      const bool goes_on = h > least * time_ || fail(status); // of the step's problem as it was
+      run_.restore(before);
+      next_ = h / 2;
+      return goes_on;
     }
     const double share = std::max(h / time_, starts ? Settings::share_of_start : 0);
     const double allowed = report_.tolerance * share;
@@ -312,7 +313,8 @@ private:
     return false;
   }
 
-  bool fail(Status status, bool is_lost) {
+  bool fail(Status status) {
+    const bool is_lost = run_.stepper().run().lost;
     report_.status = status;
     report_.reason = run_.stepper().run().reason;
     // Where a theorem promises an answer, a ray is rounding's and no jam.
@@ -329,7 +331,6 @@ private:
     if (is_lost) report_.body = lost_body();
     return false;
   }
-  bool fail(Status status) { return fail(status, run_.stepper().run().lost); }
 
   /// The one whose points have all left their faces.
   Index lost_body() const {

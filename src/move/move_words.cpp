@@ -64,7 +64,7 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
   case MoveEnd::distance: return "and has then gone as far as was asked, after " + after;
   case MoveEnd::lost:
     return "until " + (body.empty() ? std::string("a finger") : body) +
-           " touches it nowhere, after " + after;
+           " loses hold of it, after " + after;
   case MoveEnd::inside: return "until " + body + " comes and stands inside it, after " + after;
   case MoveEnd::steps:
     return "as far as " + counted(report.solves, "solve") + " go, " + after +

@@ -164,7 +164,21 @@ class Move(unittest.TestCase):
         self.assertEqual((printed["end"], printed["status"], code), ("lost", "does_not_hold", 1))
         self.assertIn(printed["end_body"], ("left", "right"))
         self.assertGreater(len(printed["frames"]), 40)
-        self.assertIn("touches it nowhere", unwrapped(run(SLIDE, "--time", 2).stdout))
+        self.assertIn("loses hold of it", unwrapped(run(SLIDE, "--time", 2).stdout))
+
+    def test_a_box_pushed_against_a_stop_jams_and_is_not_called_a_failure(self):
+        """A stop that yields to the push is none."""
+        def end(motion, **stop):
+            hand = "[gripper]\njaws = \"independent\"\n" if stop else ""
+            text = ("planar = true\ngravity = [0, -9.81, 0]\n" + hand + "[object]\nmass = 0.5\nbox = [0.08, 0.04, 0.04]\n" +
+                    finger("floor", "line", friction=0.3, on="-y", along="x", points_on="object") +
+                    finger("stop", "point", friction=0.3, on="+x", **stop) +
+                    pusher("hand", "point", friction=0.3, on="-x") + motion + "\n")
+            printed = json.loads(run("-", "--json", "--time", 0.1, text=text).stdout)
+            return printed["end"], printed["status"]
+        for motion in ("velocity = [0.01, 0, 0]", "acceleration = [0.1, 0, 0]"):
+            self.assertEqual(end(motion), ("failed", "ray"))
+            self.assertEqual(end(motion, grip_force=1), ("time", "solved"))
 
     def test_what_a_step_undoes_is_no_event(self):
         text = "facets = 8\n" + (SCENES / "dropped.toml").read_text()
