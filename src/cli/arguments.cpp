@@ -271,11 +271,14 @@ void Arguments::inspect(const SceneFile& file) const {
   const commands::Option* const tolerance = command().find("tolerance");
   const bool asks_box = tolerance != nullptr && tolerance->repeats && text("format") != "svg" &&
                         !has("vary") && command().find("box") == nullptr;
-  if (has("strict") || asks_box) // a range is nothing odd, and a box is asked
-    doubts.erase(
-        std::remove_if(doubts.begin(), doubts.end(),
-                       [](const SceneDoubt& doubt) { return doubt.doubt == Doubt::middle; }),
-        doubts.end());
+  const bool takes_middle = has("strict") || asks_box; // a range is nothing odd, or a box is asked
+  const bool is_instant = // nothing moves so far that it leaves its table
+      command().name == "solve" || command().name == "break" || command().name == "hold";
+  const auto is_meant = [&](const SceneDoubt& doubt) {
+    return (takes_middle && doubt.doubt == Doubt::middle) ||
+           (is_instant && doubt.doubt == Doubt::small_table);
+  };
+  doubts.erase(std::remove_if(doubts.begin(), doubts.end(), is_meant), doubts.end());
   doubt(doubts);
   const std::string refusal = asks_box ? "" : uncertified_law(file); // of a box its own proof
   if (has("certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
