@@ -56,8 +56,11 @@ std::vector<SweepCurve> read_curves(const Values& values, Listener& listener,
       scenes.push_back(scene);
     }
   }
-  for (std::size_t k = 0; k < curves.size(); ++k)
+  for (std::size_t k = 0; k < curves.size(); ++k) {
     curves[k].sweep.variations = values.variations(scenes[k]);
+    for (const Variation& variation : curves[k].sweep.variations)
+      values.refuse_later(scenes[k].as_given(), "vary", variation.parameter.owner);
+  }
   for (std::size_t k = 0; k < curves.size(); ++k)
     values.doubt(doubts_at_ends(scenes[k], curves[k].sweep));
   if (values.variation_count() > 0) take_pyramids(scenes, curves, listener);

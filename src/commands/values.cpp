@@ -159,6 +159,13 @@ std::string Values::corner_scene(const BoxAnswer& answer) const {
   return answer.corner_scene;
 }
 
+void Values::refuse_later(const SceneFile& file, const std::string& option,
+                          const std::string& name) const {
+  if (std::find(file.later.begin(), file.later.end(), name) != file.later.end())
+    refuse(option, name + " is not there at the start, which this is about: it has a `from`. "
+                          "`lcpush move` shows what it does then");
+}
+
 Index Values::pusher(const SceneFile& file) const {
   std::vector<std::string> names;
   Index pusher = -1;
@@ -174,6 +181,7 @@ Index Values::pusher(const SceneFile& file) const {
   if (!wanted && names.size() > 1)
     refuse("pusher", "the scene has several pushers: say which with " + label("pusher") + " " +
                          listed(names, "or"));
+  if (wanted) refuse_later(file, "pusher", *wanted);
   if (pusher < 0)
     refuse("pusher", "no pusher is named " + desktop::quoted(*wanted) + suggestion(*wanted, names));
   return pusher;

@@ -150,6 +150,9 @@ public:
   VariedScene with_only_pusher(const VariedScene& scene, Listener& listener) const;
   /// Refuses a scene with more unknowns than `most`, whose `what`.
   void refuse_unknowns(const SceneFile& file, Index most, const std::string& what) const;
+  /// Refuses a pusher of that name that begins only later.
+  void refuse_later(const SceneFile& file, const std::string& option,
+                    const std::string& name) const;
   /// Refuses a scene in which nothing moves.
   void refuse_still(const SceneFile& file) const;
   /// Is the scene to be taken as planar, since it is plane by its own symmetry? The listener hears

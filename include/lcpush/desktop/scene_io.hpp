@@ -119,6 +119,7 @@ template <class S> struct SceneOf {
   Vector6<double> start = Vector6<double>::Zero(); ///< the object's twist as a motion begins
   std::vector<ObjectFace> faces;       ///< as the file's [[face]]s say; none: the shape's
   std::vector<std::string> body_names; ///< unique
+  std::vector<std::string> later;      ///< pushers that are there only later, and left out: Strokes
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;
