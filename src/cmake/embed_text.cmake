@@ -99,7 +99,10 @@ function(embed_scripts name folder)
   string(REGEX REPLACE "\n//[^\n]*" "" script "${script}")
   string(REGEX REPLACE "([;,{})]) +// [^\n\"'`]*\n" "\\1\n" script "${script}")
   string(REGEX REPLACE "\n\n+" "\n" script "${script}")
-  string(REPLACE " {\n" " {" script "${script}") # a page has a limit, and there are hundreds
+  # A page has a limit, and there are hundreds.
+  string(REPLACE " {\n" " {" script "${script}")
+  string(REPLACE ") {" "){" script "${script}")
+  string(REPLACE " => " "=>" script "${script}")
   embed(${name} "${script}")
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()

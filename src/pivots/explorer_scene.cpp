@@ -45,8 +45,9 @@ void write_bodies(JsonWriter& json, const Push& push) {
 
 /// The plane alone, unless that shows a round object from its side.
 std::vector<View> shown_views(const SceneFile& file) {
+  const Vector3<double> in_plane(0, file.gravity.y(), 0);
   std::vector<View> views =
-      two_views(Vector3<double>(0, file.gravity.y(), 0), file.shape.size, file.bodies);
+      two_views(file.planar ? in_plane : file.gravity, file.shape.size, file.bodies);
   const bool is_round_elsewhere =
       file.shape.kind == ObjectShape::Kind::cylinder && views[0].toward[file.shape.axis] == 0;
   if (file.planar && !is_round_elsewhere) views.resize(1);

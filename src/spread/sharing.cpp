@@ -5,6 +5,8 @@
 #include "text/wording.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace lcpush::desktop {
 namespace {
@@ -22,29 +24,52 @@ std::vector<Index> stiff_supports(const SceneFile& file) {
   return supports.size() > 1 ? supports : std::vector<Index>();
 }
 
+/// Of three contacts or more, all of them single points: what sticks may share its friction.
+bool are_points(const SceneFile& file) {
+  constexpr std::size_t least = 3;
+  return file.bodies.size() >= least &&
+         std::all_of(file.bodies.begin(), file.bodies.end(),
+                     [](const Body<double>& body) { return body.point_count == 1; });
+}
+
+using IsOpen = std::function<bool(const ContactSpread&)>;
+
+std::string open_words(const SceneFile& file, const SpreadReport& spread,
+                       const std::vector<Index>& bodies, const char* what, const IsOpen& is_open) {
+  std::vector<std::string> names;
+  for (const Index b : bodies) {
+    const Indices points = points_of(file.body(b));
+    if (std::any_of(points.begin(), points.end(),
+                    [&](Index i) { return is_open(spread.contacts[static_cast<std::size_t>(i)]); }))
+      names.push_back(file.body_name(b));
+  }
+  return names.size() < 2
+             ? ""
+             : "\nThe laws leave open how " + listed(names, "and") + " share their " + what +
+                   ": one way of it is shown.\nSee: lcpush spread " + file.lines.file + "\n";
+}
+
 } // namespace
 
 std::string sharing_sentence(const SceneFile& file) {
   const std::vector<Index> supports = stiff_supports(file);
-  if (supports.empty()) return "";
+  if (supports.empty() && !are_points(file)) return "";
   SpreadOptions options;
   options.covering_vectors = SpreadSettings::sharing_covers;
   options.enumeration = Enumeration::none;
   options.most_faces = SpreadSettings::sharing_faces;
   const SpreadReport spread = find_spread(file, options);
   if (spread.status != Status::solved) return "";
-  std::vector<std::string> names;
-  for (const Index b : supports) {
-    const auto is_open = [&](Index i) {
-      return !is_single(spread.contacts[static_cast<std::size_t>(i)].normal, same_force(spread));
-    };
-    const Indices points = points_of(file.body(b));
-    if (std::any_of(points.begin(), points.end(), is_open)) names.push_back(file.body_name(b));
-  }
-  return names.size() < 2 ? ""
-                          : "\nThe laws leave open how " + listed(names, "and") +
-                                " share their load: one way of it is shown.\nSee: lcpush spread " +
-                                file.lines.file + "\n";
+  const double same = same_force(spread);
+  const std::string load = open_words(file, spread, supports, "load", [&](const ContactSpread& at) {
+    return !is_single(at.normal, same);
+  });
+  if (!load.empty() || !are_points(file)) return load;
+  std::vector<Index> all(file.bodies.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return open_words(file, spread, all, "friction", [&](const ContactSpread& at) {
+    return !is_single(at.tangential[0], same) || !is_single(at.tangential[1], same);
+  });
 }
 
 } // namespace lcpush::desktop

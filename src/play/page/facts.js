@@ -8,11 +8,20 @@
   const fact = (name, value, bad) =>
     h('div', {}, h('dt', {}, name), h('dd', { class: bad && 'bad' }, value));
 
-  function held_words({ answer, grip_margin, is_bound }) {
+  /// Statics' margin, until the law's own least grip is there.
+  function held_words({ answer, grip_margin, is_bound }, breaking) {
     if (answer.holds_without_push === null) return ['not known', false];
     if (!answer.holds_without_push) return ['no, it falls', true];
-    const margin = `, with ${is_bound ? 'up to ' : ''}${decimal(grip_margin)} times the grip it needs`;
+    const least = breaking && breaking.smallest_grip_factor;
+    const most = is_bound && !least ? 'up to ' : '';
+    const margin = `, with ${most}${decimal(least ? 1 / least : grip_margin)} times the grip it needs`;
     return [`held${grip_margin ? margin : ''}`, false];
+  }
+
+  function open_fact({ unique }) {
+    const open = ['motion', 'wrench'].find((what) => unique && unique[what] === false);
+    return open && fact('Not the only answer',
+      `the laws leave the ${open === 'motion' ? open : 'push'} open`);
   }
 
   function break_words(breaking) {
@@ -33,11 +42,12 @@
 
   function update(state, breaking) {
     const { answer } = state;
-    const [held, bad] = held_words(state);
+    const [held, bad] = held_words(state, breaking);
     replace('facts',
       fact('Held without the push', held, bad),
       fact('Grip that just holds it', grip_words(breaking)),
       fact('Push that breaks the grasp', break_words(breaking)),
+      open_fact(answer),
       answer.residual && fact('Residual of the laws', decimal(answer.residual.max)),
       fact('Pivots', String(answer.pivots)),
       answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
