@@ -86,8 +86,9 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   const bool is_proved = std::isfinite(pads) && !is_open_; // surfaces know no prestress
   const double limit = is_proved ? std::min(pads, bound) : bound;
   if (!asks || !(limit > 0)) return limit;
-  // Points bear less than surfaces of all the load, as if the grip were less.
-  const double slack = pads_.slack(), most = (1 - slack) * limit;
+  // Points bear less than surfaces of all the load, as if the grip were less; of statics' bound,
+  // which no surface proves, the law is asked itself.
+  const double slack = is_proved ? pads_.slack() : hold_settings.same, most = (1 - slack) * limit;
   const auto is_held = [&](double load) {
     return load <= 0 ? std::optional(true) : holds(1, load * wrench);
   };
