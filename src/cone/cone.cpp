@@ -100,6 +100,7 @@ private:
     verdict.leaves = leaves(twist / twist.cwiseAbs().maxCoeff());
     if (!verdict.sticks) verdict.margin = -verdict.margin;
     verdict.grip = least_grip(grip_, cone.pusher(), load_, planar);
+    verdict.most_grip = most_grip(grip_, cone.pusher(), load_, planar);
     report_.verdict = verdict;
   }
 

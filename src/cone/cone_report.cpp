@@ -35,7 +35,15 @@ std::string verdict_fact(const SceneFile& file, const ConeReport& report) {
   if (!verdict.grip)
     return "with no grip force does the pusher stick in this motion: what slips there does so "
            "however hard the fingers press";
-  if (*verdict.grip <= report.holding_grip * (1 + cone_settings.noise))
+  const bool with_all = *verdict.grip <= report.holding_grip * (1 + cone_settings.noise);
+  if (std::isfinite(verdict.most_grip))
+    return "this motion sticks " +
+           (with_all ? "up to " : "from " + grip_words(file, *verdict.grip) + " to ") +
+           grip_words(file, verdict.most_grip);
+  if (!verdict.sticks && !verdict.leaves && *verdict.grip < 1)
+    return "this motion sticks with " + grip_words(file, *verdict.grip) +
+           ", and not with the scene's";
+  if (with_all)
     return report.holding_grip > 0
                ? "this motion sticks with every grip force that holds " + object_name(file)
                : "this motion sticks with every grip force";
@@ -163,7 +171,9 @@ std::string cone_json(const SceneFile& file, const ConeReport& report, const Box
               when(verdict.has_value(), verdict ? verdict->nearest : 0));
   const bool has_grip = verdict && verdict->grip;
   json.member("smallest_grip", when(has_grip, has_grip ? *verdict->grip * force : 0))
-      .member("smallest_grip_factor", when(has_grip, has_grip ? *verdict->grip : 0));
+      .member("smallest_grip_factor", when(has_grip, has_grip ? *verdict->grip : 0))
+      .member("largest_grip_factor", when(has_grip && std::isfinite(verdict->most_grip),
+                                          has_grip ? verdict->most_grip : 0));
   if (box != nullptr) write_box(json, *box);
   write_warnings(json, check_scene(file));
   return json.end_object().text();

@@ -149,4 +149,14 @@ std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pus
   return least_of_faces(pusher, grip.resistance(beside(twist)), load);
 }
 
+double most_grip(const LimitSurface& grip, const PusherCone& pusher, const Vector3<double>& load,
+                 const Vector3<double>& twist) {
+  const Vector3<double> resistance = grip.resistance(beside(twist));
+  double most = std::numeric_limits<double>::infinity();
+  for (const ConeFace& face : pusher.faces)
+    if (const double by_grip = face.inward.dot(resistance); by_grip < 0)
+      most = std::min(most, face.inward.dot(load) / by_grip);
+  return most;
+}
+
 } // namespace lcpush::desktop

@@ -61,5 +61,8 @@ std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<dou
 /// The least factor on all grip forces with which the pusher sticks; none: with no grip.
 std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pusher,
                                  const Vector3<double>& load, const Vector3<double>& twist);
+/// The largest such factor, by the faces of the cone; infinite: none, or there are no faces.
+double most_grip(const LimitSurface& grip, const PusherCone& pusher, const Vector3<double>& load,
+                 const Vector3<double>& twist);
 
 } // namespace lcpush::desktop

@@ -50,6 +50,7 @@ struct ConeReport {
     std::size_t nearest = 0;    ///< the side; of a pusher at one place the edge
     std::optional<double> grip; ///< the least factor on all grip forces with which it sticks;
                                 ///< none: with no grip
+    double most_grip = 0;       ///< the largest, where there are any; infinite: none is known
   };
 
   Status status = Status::bad_input; ///< solved; does_not_hold: the load alone moves the object
