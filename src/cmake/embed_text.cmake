@@ -102,7 +102,12 @@ function(embed_scripts name folder)
   # A page has a limit, and there are hundreds.
   string(REPLACE " {\n" " {" script "${script}")
   string(REPLACE ") {" "){" script "${script}")
-  string(REPLACE " => " "=>" script "${script}")
+  foreach(sign IN ITEMS => === !== && || += -= < <= >= * ?) # no text has these between blanks
+    string(REPLACE " ${sign} " "${sign}" script "${script}")
+  endforeach()
+  string(REGEX REPLACE "(const|let) ([A-Za-z_]+) = " "\\1 \\2=" script "${script}")
+  string(REPLACE "{ " "{" script "${script}")
+  string(REPLACE " }" "}" script "${script}")
   embed(${name} "${script}")
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()
