@@ -20,7 +20,7 @@ export function native_answers(texts) {
     writeFileSync(path, texts[k]);
     // It ends with 1 where there is no answer, and says so.
     promises[k] = new Promise((done) => {
-      execFile(tool, ['solve', path, '--json'], { maxBuffer: 1 << 26 }, (_, said) => done(said));
+      execFile(tool, ['solve', path, '--json', '--seconds', '600'], { maxBuffer: 1 << 26 }, (_, said) => done(said));
     });
   };
   return (k) => {
