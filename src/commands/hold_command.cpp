@@ -41,6 +41,15 @@ HoldDirection read_direction(const Values& values, const std::string& text) {
   return direction;
 }
 
+/// What the corner of a box that falls would take.
+std::string corner_answer(const BoxAnswer& box, const PushOptions& options) {
+  if (box.verdict != BoxVerdict::may_slip || box.corner_scene.empty()) return "";
+  const SceneFile corner = parse_scene(box.corner_scene, "corner");
+  HoldQuestion question;
+  question.grip_alone = true;
+  return "\nAt that corner: " + hold_answer(corner, find_hold(corner, question, options)) + "\n";
+}
+
 Result run_hold(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const VariedScene scene = values.scene_with_ranges(Needs::scene);
@@ -66,7 +75,8 @@ Result run_hold(const Values& values, Listener& listener) {
     return {box.verdict == BoxVerdict::always,
             format == "json"   ? hold_json(file, find_hold(file, question, options), &box)
             : format == "toml" ? values.corner_scene(box)
-                               : box_text(file, box, "The grasp", "holds", "may give way")};
+                               : box_text(file, box, "The grasp", "holds", "may give way") +
+                                     corner_answer(box, options)};
   }
   if (format == "toml") (void)values.corner_scene({});
   const HoldStudy study = find_hold(file, question, options);

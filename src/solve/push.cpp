@@ -221,7 +221,7 @@ std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& 
     Push push(less->file);
     push.assembled_.assemble(file_.is_round && has_round_friction(scene_));
     PressureRun ignored;
-    if (push.run(options, 1.0, ignored) != Status::solved) continue;
+    if (push.run(search_options(options, layout().size), 1.0, ignored) != Status::solved) continue;
     Outcome<double> found = push.outcome();
     const double noise = rest_noise(file_, layout().scales, options.solver);
     const bool rests =
@@ -242,16 +242,20 @@ Index paths_to_search(const PushOptions& options, bool is_round) {
   return options.other_paths + (is_round && options.other_paths > 1 ? 1 : 0);
 }
 
-OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns) {
-  OtherPath other{std::nullopt, options};
-  other.options.solver = Solver::lemke;
-  other.options.record_history = false;
-  other.options.watcher = options.searching;
-  other.options.max_pivots =
+PushOptions search_options(const PushOptions& options, Index unknowns) {
+  PushOptions search = options;
+  search.solver = Solver::lemke;
+  search.record_history = false;
+  search.watcher = options.searching;
+  search.max_pivots =
       std::max<Index>(1, limits::unknowns_pivoted_in_search / (unknowns * options.other_paths));
   // One covering vector that goes astray is not to use up the search.
-  other.options.lemke.max_pivots =
-      std::min(LemkeSettings::most_pivots(unknowns), other.options.max_pivots);
+  search.lemke.max_pivots = std::min(LemkeSettings::most_pivots(unknowns), search.max_pivots);
+  return search;
+}
+
+OtherPath other_path(const SceneFile& file, const PushOptions& options, Index k, Index unknowns) {
+  OtherPath other{std::nullopt, search_options(options, unknowns)};
   if (k <= options.other_paths) {
     other.options.lemke.first_cover += k * options.lemke.covers;
   } else {

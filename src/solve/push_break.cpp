@@ -192,7 +192,8 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
     if (!less) break;
     Push push(less->file);
     push.assembled_.assemble(has_round_friction(scene_));
-    if (!is_over(push.break_grasp(options, report.pusher, second, ignored)) ||
+    const PushOptions search = search_options(options, layout().size);
+    if (!is_over(push.break_grasp(search, report.pusher, second, ignored)) ||
         !less->sticks(push.work_.answer) ||
         falls_before_push(less->file, second, report.scales, options))
       continue;

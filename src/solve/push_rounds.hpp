@@ -97,6 +97,9 @@ AnyRounds Push::rounds_by(Pivots& pivots, const PushOptions& options, Watcher& w
   return AnyRounds(by_pivots);
 }
 
+/// Of a search beside the answer, which may take some half a second. Pre: other_paths > 0.
+PushOptions search_options(const PushOptions& options, Index unknowns);
+
 /// Another path of pivots to an answer of the same laws, in a search that may take as long as some
 /// half a second; after sweeps pivots are a second opinion too.
 struct OtherPath {

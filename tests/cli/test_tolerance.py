@@ -201,6 +201,13 @@ class Tolerance(ToolTest):
             self.assertIn(said, " ".join(text.stdout.split()))
         self.assertIn("it has none", " ".join(run("solve", scene, "--box").stderr.split()))
 
+    def test_the_corner_at_which_a_load_falls_says_how_much_grip_it_takes(self):
+        """m g / (2 mu) of 9 kg and a friction of 0.4."""
+        free = self.file("held.toml", SLIDE_TEXT.split("[[pusher]]")[0])
+        said = unwrapped(run("hold", free, "--tolerance", "object.mass=0.1:9", "--tolerance", "*.friction=0.4:0.5").stdout)
+        self.assertIn("At that corner: Not held: it takes 5.52 times the grip, 111 N per finger; with less the load slides", said)
+        self.assertNotIn("At that corner", run("hold", free, "--tolerance", "object.mass=0.1:0.4").stdout)
+
     def test_what_is_refused(self):
         for old, new, said in (
                 ("friction = 0.3", "friction = [0.5, 0.3]", 'pusher "wall": friction = [0.5, 0.3] is a range that goes backwards'),

@@ -29,6 +29,10 @@ TEST_CASE("a bound in three digits stays one, and a clean number what it is") {
   CHECK(brief_within(-1.239, false) == "-1.24");
 }
 
+TEST_CASE("a column is as wide as its letters, not as their bytes") {
+  CHECK(table_text({{"name", "N"}, {"\xC3\xBC", "1"}}, 1, 80) == "  name  N\n  \xC3\xBC     1\n");
+}
+
 TEST_CASE("a slip is a word that is near, or part of one; another word is not") {
   const std::vector<std::string> keys{"friction", "grip_force", "center"};
   const auto meant = [&](const char* word) { return suggestion(word, keys); };
