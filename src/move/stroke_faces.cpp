@@ -215,11 +215,18 @@ private:
     while (is_on(surface, i)) ++i;
     const double h = height(surface, i);
     const std::string point = point_name(file_, i) + " lies ";
+    const PatchShape shape =
+        file_.patches.empty() ? PatchShape::points : file_.patches[static_cast<std::size_t>(b)];
     if (is_at_height(surface, i))
       refuse(b, lines(b).place,
-             point + "beside the object's face that its normal points into. A motion takes only "
-                     "what touches: leave out points that do not; or, if corners of the object "
-                     "meet a plane of this body, give those and say points_on = \"object\"");
+             point +
+                 "beside the object's face that its normal points into. A motion takes only "
+                 "what touches: " +
+                 (shape == PatchShape::points
+                      ? "leave out points that do not; or, if corners of the object meet a plane "
+                        "of this body, give those and say points_on = \"object\""
+                      : "make it no larger than the face; and if it is a plane that goes on beyond "
+                        "it, as a table does, say points_on = \"object\" as well"));
     refuse(b, lines(b).place,
            point + millimetres(std::abs(h)) + " " + (h < 0 ? "inside" : "off") +
                " the object, not on the face that its normal points into. A motion needs the "
