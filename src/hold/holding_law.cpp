@@ -109,9 +109,34 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   // Of such forces a point may lie a hair off the line of what presses it.
   for (const double part : {1.0, 1 - hold_settings.of_points})
     if (far >= cap && is_held(part * far) == true) return std::numeric_limits<double>::infinity();
-  const double found = searched(far, -1, is_held);
+  const double found = far < cap ? searched(far, -1, is_held)
+                                 : from_unit(cap / statics_settings.most_force, cap, is_held);
   const double least = not_less(found, is_held);
   return least == found && found >= most ? limit : least;
+}
+
+/// Up from `unit`, or down, in strides as long as it: where nothing but `most` bounds what is held.
+double HoldingLaw::from_unit(double unit, double most, const Question& is_held) const {
+  constexpr double stride = hold_settings.stride;
+  double held = 0, refuted = most;
+  if (is_held(unit) == true) {
+    held = unit;
+    for (double next = stride * unit; next < most; held = next, next *= stride)
+      if (is_held(next) != true) {
+        refuted = next;
+        break;
+      }
+  } else {
+    refuted = unit;
+    for (double next = unit / stride; next > hold_settings.least_unit * unit; next /= stride) {
+      if (is_held(next) == true) {
+        held = next;
+        break;
+      }
+      refuted = next;
+    }
+  }
+  return halved(refuted, held, is_held);
 }
 
 /// A load that is held, or less where a part of it is not: beside a table or a locked finger the

@@ -56,6 +56,7 @@ private:
   using Question = std::function<std::optional<bool>(double)>;
   double searched(double refuted, double sign, const Question& is_held) const;
   double halved(double refuted, double held, const Question& is_held) const;
+  double from_unit(double unit, double most, const Question& is_held) const;
   double lowered(double held, double bound, const Question& is_held) const;
   double not_less(double held, const Question& is_held) const;
 };

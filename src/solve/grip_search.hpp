@@ -40,7 +40,7 @@ public:
 private:
   PushOptions given_, counting_;
   // Discs of 96 points are asked in every direction of a hold, in 6 s; with half of it in few.
-  static constexpr double most = 2e10, overhead = 5e5; // overhead: what a small pivot costs
+  static constexpr double most = 2e10, overhead = 2e5; // overhead: what a small pivot costs
   double multiplications_ = 0, until_ = most;
 };
 
