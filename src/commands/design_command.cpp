@@ -1,7 +1,6 @@
 // design: the numbers of a scene with which a push sticks for the widest box.
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
-#include "design/design_space.hpp"
 #include "lcpush/desktop/design.hpp"
 #include "lcpush/desktop/funnel.hpp"
 #include "scenes/mirror.hpp"
@@ -77,27 +76,17 @@ Result run_funnel(const Values& values, Listener&) {
           format == "json" ? funnel_json(file, report) : funnel_text(file, report, goal)};
 }
 
-/// Of a scene that is plane by its own symmetry: a choice would leave that. Not of a friction or a
-/// grip: they are uncertain one by one, too.
+/// Of a scene that is plane by its own symmetry: a choice would leave that.
 void refuse_leaving_plane(const VariedScene& scene, const Values& values) {
-  const DesignSpace space(scene, values.texts("choose"), values.texts("tolerance"));
-  for (std::size_t j = 0; j < space.choices().size(); ++j) {
-    const DesignSpace::Choice& choice = space.choices()[j];
-    const std::string& key = choice.parameters.front().places.front().key;
-    if (key == "friction" || key == "grip_force" || key == "force") continue;
-    for (const double end : {choice.from, choice.to}) {
-      std::vector<double> at = space.given();
-      at[j] = end;
-      if (is_plane(space.scene_at(at).as_given())) continue;
-      values.refuse("choose", values.label("choose") + " " + choice.path + ": with " + shown(end) +
-                                  " the scene is no longer its own image across z, and a design "
-                                  "is one of motions in the plane. Choose the same of its image "
-                                  "with it, as \"*." +
-                                  choice.path.substr(choice.path.find('.') + 1) +
-                                  "\" does, or say planar = true if the object cannot leave the "
-                                  "plane");
-    }
-  }
+  const auto leaves = leaves_plane(scene, values.texts("choose"), values.texts("tolerance"));
+  if (!leaves) return;
+  const auto& [path, end] = *leaves;
+  values.refuse("choose", values.label("choose") + " " + path + ": with " + shown(end) +
+                              " the scene is no longer its own image across z, and a design is "
+                              "one of motions in the plane. Choose the same of its image with it, "
+                              "as \"*." +
+                              path.substr(path.find('.') + 1) +
+                              "\" does, or say planar = true if the object cannot leave the plane");
 }
 
 Result run_design(const Values& values, Listener& listener) {

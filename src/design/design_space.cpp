@@ -1,7 +1,9 @@
 #include "design/design_space.hpp"
 
 #include "design/settings.hpp"
+#include "lcpush/desktop/design.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/mirror.hpp"
 #include "scenes/scene_units.hpp"
 #include "text/wording.hpp"
 
@@ -227,6 +229,23 @@ std::vector<BoxSide> DesignSpace::sides_over(const std::vector<bool>& choices,
     sides.push_back(std::move(side));
   }
   return sides;
+}
+
+std::optional<std::pair<std::string, double>>
+leaves_plane(const VariedScene& scene, const std::vector<std::string>& choices,
+             const std::vector<std::string>& tolerances) {
+  const DesignSpace space(scene, choices, tolerances);
+  for (std::size_t j = 0; j < space.choices().size(); ++j) {
+    const DesignSpace::Choice& choice = space.choices()[j];
+    const std::string& key = choice.parameters.front().places.front().key;
+    if (key == "friction" || key == "grip_force" || key == "force") continue;
+    for (const double end : {choice.from, choice.to}) {
+      Values at = space.given();
+      at[j] = end;
+      if (!is_plane(space.scene_at(at).as_given())) return std::pair(choice.path, end);
+    }
+  }
+  return std::nullopt;
 }
 
 } // namespace lcpush::desktop

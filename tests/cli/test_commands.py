@@ -7,6 +7,8 @@ import unittest
 
 from tool import SOURCE, TOOL, ToolTest, main, run, unwrapped
 
+from scene_tables import finger
+
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
 SLIDE_TEXT = SLIDE.read_text()
 
@@ -145,6 +147,13 @@ force = 40
             v = ('gravity = [0, -9.81, 0]\nplanar = true\n[object]\nmass = 0.3\ncylinder_radius = 0.02\ncylinder_length = 0.05\n'
                  'axis = "z"\n' + side.format("l", -0.0141, 1, friction) + side.format("r", 0.0141, -1, friction))
             self.assertEqual("how l and r share their load" in unwrapped(run("solve", "-", text=v).stdout), is_open, friction)
+        # A mug between a thumb and two fingers: which of the two bears it is open, of one finger not.
+        tip = lambda name, x, z, force: finger(name, "point", center=[x, 0, z], normal=[-1 if x > 0 else 1, 0, 0], friction=0.5, grip_force=force)
+        mug = ('gravity = [0, 0, -9.81]\n[gripper]\njaws = "independent"\n[object]\nmass = 0.3\ncylinder_radius = 0.04\n'
+               "cylinder_length = 0.09\n" + tip("thumb", 0.04, 0.01, 10))
+        said = unwrapped(run("solve", "-", text=mug + tip("index", -0.04, 0.025, 5) + tip("middle", -0.04, -0.005, 5)).stdout)
+        self.assertIn("The laws leave open how index and middle share their friction", said)
+        self.assertNotIn("leave open", run("solve", "-", text=mug + tip("index", -0.04, 0.01, 10)).stdout)
 
     def test_what_a_palm_drives_over_a_table_slides(self):
         """The palm moves along its face, too, but most of all it closes: nothing tips."""

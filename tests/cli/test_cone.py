@@ -31,7 +31,7 @@ class Cone(unittest.TestCase):
         self.assertEqual(set(answer), {
             "status", "pusher", "exact", "single_place", "length", "edges", "sides",
             "holding_grip_factor", "twist", "sticks", "leaves", "margin", "nearest_side",
-            "smallest_grip", "smallest_grip_factor", "warnings"})
+            "smallest_grip", "smallest_grip_factor", "largest_grip_factor", "warnings"})
         self.assertEqual(answer["status"], "solved")
         self.assertTrue(answer["sticks"] and answer["exact"])
         self.assertEqual(len(answer["edges"]), 4)
@@ -46,6 +46,28 @@ class Cone(unittest.TestCase):
             self.assertEqual(side["slips"] is None, side["turns_about"] is not None)
             self.assertEqual(side["twists"][0], answer["edges"][side["from"]]["twist"])
             self.assertEqual(side["twists"][-1], answer["edges"][side["to"]]["twist"])
+
+    def test_a_grip_that_is_too_hard_slips_the_pusher_and_that_is_said(self):
+        """A short edge that turns a plate: from some grip on one of its ends carries it alone."""
+        pad = {"shape": "rectangle", "center": [0.019, 0.001], "size": [0.0167, 0.0209], "friction": 0.76}
+        plate = lambda force: (
+            table("", gravity=[0, -9.81, 0], planar=True) + table("[object]", mass=0.46, box=[0.149, 0.049, 0.044]) +
+            table("[[finger]]", name="l", on="+z", grip_force=force, **pad) + table("[[finger]]", name="r", on="-z", grip_force=force, **pad) +
+            table("[[pusher]]", name="w", on="-x", shape="line", along="y", length=0.0113, points=2, friction=0.62,
+                  velocity=[0.01, 0.0026, 0], angular_velocity=[0, 0, -0.222], about=[0, 0, 0]))
+        answer = self.answer(text=plate(58))
+        least, most = answer["smallest_grip_factor"] * 58, answer["largest_grip_factor"] * 58
+        self.assertTrue(0 < least < most < 58 and not answer["sticks"])
+        for force, sticks in ((0.98 * least, False), (1.02 * least, True), (0.98 * most, True), (1.02 * most, False)):
+            self.assertEqual(self.answer(text=plate(force))["sticks"], sticks, force)
+        self.assertIn(f"sticks from {least:.3g} N per finger to {most:.3g} N per finger", run("-", text=plate(58)).stdout)
+
+    def test_a_pusher_that_comes_later_is_named_as_that(self):
+        later = without(square(), "south", "north") + pusher("pin", "point", on="-y", friction=0.3, velocity=[0, 0.01, 0]) + 'from = "1 s"\n'
+        for words in (("cone", "-", "--pusher", "pin"), ("break", "-", "--pusher", "pin"), ("sweep", "-", "--vary", "pin.friction=0:1")):
+            refused = command(words[0])(*words[1:], text=later)
+            self.assertEqual(refused.returncode, 2, words)
+            self.assertIn("pin is not there at the start, which this is about", unwrapped(refused.stderr))
 
     def test_the_mirrored_square_has_the_mirrored_cone(self):
         twist = lambda s: f"-0.01 {s * 0.004} {s * 0.05}"

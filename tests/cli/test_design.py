@@ -253,6 +253,18 @@ class Design(ToolTest):
         self.assertEqual([warning["code"] for warning in json_of(*words)["warnings"]], ["outside_object"])
         self.assertIn("as chosen, pusher", run(*words).stderr)
 
+    def test_a_choice_that_leaves_the_plane_of_symmetry_is_refused(self):
+        """One pad alone moves aside: then the grip turns the bar about y, which no motion in the plane shows."""
+        pad = {"shape": "rectangle", "size": [0.02, 0.012], "center": [0.025, 0], "friction": 0.4, "grip_force": 40}
+        bar = self.file("bar.toml", table("", gravity=[0, -9.81, 0]) + table("[object]", mass=0.45, box=[0.12, 0.03, 0.016]) +
+                        table("[[finger]]", name="left", on="+z", **pad) + table("[[finger]]", name="right", on="-z", **pad) +
+                        table("[[pusher]]", name="wall", shape="line", on="-x", along="y", length=0.03, friction=0.3, velocity=[0.005, 0, 0]))
+        refused = run("design", bar, "--choose", "left.center[0]=-0.04:0.04")
+        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
+        self.assertIn("with -0.04 the scene is no longer its own image across z", " ".join(refused.stderr.split()))
+        self.assertIn("No grip force holds the box", run("hold", bar, "--set", "left.center[0]=-0.04").stdout)
+        self.assertEqual(run("design", bar, "--choose", "left.friction=0.2:0.6").returncode, 0)
+
     def test_mistakes(self):
         for choice, said in (("wall.width=-0.02:0.01", "a width is larger than 0"), ("wall.fricton=0.1:0.5", 'did you mean "wall.friction"'), ("wall.friction=0.5:0.1", "the smaller number comes first"),
                              ("wall.friction=0.3:0.3", "nothing to choose"), ("wall.friction=0.3", "write PATH=FROM:TO"),

@@ -43,6 +43,12 @@ struct DesignReport {
 DesignReport find_design(const VariedScene& scene, const std::vector<std::string>& choices,
                          const std::vector<std::string>& tolerances, bool with_curves = false);
 
+/// Of a scene that is its own image across z: a choice, and the value of it, that would leave that.
+/// Not of a friction or a grip: they are uncertain one by one, too.
+std::optional<std::pair<std::string, double>>
+leaves_plane(const VariedScene& scene, const std::vector<std::string>& choices,
+             const std::vector<std::string>& tolerances);
+
 std::string design_text(const SceneFile& file, const DesignReport& report);
 std::string design_json(const DesignReport& report);
 std::string design_svg(const SceneFile& file, const DesignReport& report);
