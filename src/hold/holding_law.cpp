@@ -55,10 +55,11 @@ double HoldingLaw::least_grip(double bound) {
   const bool may_be_less = is_proved && !is_locked && bound < (1 - hold_settings.of_points) * start;
   if (may_be_less && is_held((1 + hold_settings.same) * bound) == true) return bound;
   const bool is_refuted = holds_now_ == false && start <= 1;
+  const double slack = is_proved ? hold_settings.of_points : hold_settings.same;
   double least = start;
   if (may_be_less && is_held((1 + hold_settings.same) * start) == true)
     least = lowered(start, bound, is_held);
-  else if (is_refuted || !is_held((1 + hold_settings.of_points) * start).value_or(is_proved))
+  else if (is_refuted || !is_held((1 + slack) * start).value_or(is_proved))
     least = searched(is_refuted ? 1 : start, 1, is_held);
   if (holds_now_ == true && !(least <= 1)) least = lowered(1, bound, is_held);
   return least <= statics_settings.closed ? 0 : least;
