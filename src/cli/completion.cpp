@@ -35,17 +35,10 @@ std::string bash_script() {
          "complete -o filenames -F _lcpush lcpush\n";
 }
 
-/// Fit for single quotes of a shell.
-std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string zsh_script() {
   std::string text = "#compdef lcpush\n_lcpush() {\n  local -a commands\n  commands=(\n";
   for (const Command& command : all_commands())
-    text += "    " + shell_quoted(command.name + ":" + command.summary) + "\n";
+    text += "    " + quoted_for_shell(command.name + ":" + command.summary) + "\n";
   text += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
           "  case $words[2] in\n";
   for (const Command& command : all_commands()) {
@@ -59,7 +52,7 @@ std::string zsh_script() {
         value = ":value:(" + values + ")";
       else if (!option.is_flag())
         value = std::string(":") + option.value + ":_files";
-      text += " \\\n        " + shell_quoted(option.label() + "[" + help + "]" + value);
+      text += " \\\n        " + quoted_for_shell(option.label() + "[" + help + "]" + value);
     }
     text += "\n      ;;\n";
   }
@@ -72,13 +65,13 @@ std::string fish_script() {
   std::string text = "# fish completion for lcpush\n";
   for (const Command& command : all_commands()) {
     text += "complete -c lcpush -n __fish_use_subcommand -f -a " + command.name + " -d " +
-            shell_quoted(command.summary) + "\n";
+            quoted_for_shell(command.summary) + "\n";
     for (const Option& option : command.options) {
       const std::string values = value_words(command, option);
       text += "complete -c lcpush -n '__fish_seen_subcommand_from " + command.name + "' -l " +
               option.name + (option.is_flag() ? "" : " -r") +
-              (values.empty() ? "" : " -f -a " + shell_quoted(values)) + " -d " +
-              shell_quoted(option.help) + "\n";
+              (values.empty() ? "" : " -f -a " + quoted_for_shell(values)) + " -d " +
+              quoted_for_shell(option.help) + "\n";
     }
   }
   return text;
