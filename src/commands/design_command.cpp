@@ -83,10 +83,9 @@ void refuse_leaving_plane(const VariedScene& scene, const Values& values) {
   const auto& [path, end] = *leaves;
   values.refuse("choose", values.label("choose") + " " + path + ": with " + shown(end) +
                               " the scene is no longer its own image across z, and a design is "
-                              "one of motions in the plane. Choose the same of its image with it, "
-                              "as \"*." +
-                              path.substr(path.find('.') + 1) +
-                              "\" does, or say planar = true if the object cannot leave the plane");
+                              "one of motions in the plane. Choose the same of its image with it "
+                              "(\"*.NUMBER\" is that of all bodies), or say planar = true if the "
+                              "object cannot leave the plane");
 }
 
 Result run_design(const Values& values, Listener& listener) {

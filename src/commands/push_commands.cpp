@@ -75,7 +75,7 @@ Result run_solve(const Values& values, Listener& listener) {
   const bool is_one = report->unique_motion != Uniqueness::no && // else said already
                       report->unique_wrench != Uniqueness::no;
   if (!values.has("history") && format == "text" && report->status == Status::solved && is_one)
-    text += sharing_sentence(asked->file);
+    text += sharing_sentence(asked->file, report->answer);
   if (box && !values.has("history")) text = with_box(std::move(text), format, asked->file, *box);
   return {report->status == Status::solved && (!box || box->verdict == BoxVerdict::always),
           std::move(text), [asked, report, &values] {

@@ -35,6 +35,8 @@ std::string verdict_fact(const SceneFile& file, const ConeReport& report) {
   if (!verdict.grip)
     return "with no grip force does the pusher stick in this motion: what slips there does so "
            "however hard the fingers press";
+  if (verdict.most_grip < report.holding_grip)
+    return "this motion sticks with no grip force that holds " + object_name(file);
   const bool with_all = *verdict.grip <= report.holding_grip * (1 + cone_settings.noise);
   if (std::isfinite(verdict.most_grip))
     return "this motion sticks " +

@@ -21,16 +21,20 @@ using Ends = std::vector<std::pair<Rational, Rational>>;
 
 Rational typed(double value) { return *Rational::parse(shown(value)); }
 
+/// A friction, a grip or an actuator's force, and no component of one.
+bool is_strength(const Parameter& parameter) {
+  const auto& place = parameter.places.front();
+  return place.key == "friction" || place.key == "grip_force" ||
+         (place.key == "force" && place.indices.empty());
+}
+
 /// All frictions and grips, and the mass.
 std::vector<std::string> usual_tolerances(const VariedScene& scene) {
   std::vector<std::string> paths;
   for (const std::string& path : scene.paths()) {
     const Parameter parameter = scene.find(path);
-    const std::string& key = parameter.places.front().key;
-    const bool is_grip =
-        key == "grip_force" || (key == "force" && parameter.places.front().indices.empty());
     if (parameter.owner != "*" && parameter.kind == Parameter::Kind::number &&
-        (is_grip || key == "friction" || key == "mass"))
+        (is_strength(parameter) || parameter.places.front().key == "mass"))
       paths.push_back(path);
   }
   return paths;
@@ -237,8 +241,7 @@ leaves_plane(const VariedScene& scene, const std::vector<std::string>& choices,
   const DesignSpace space(scene, choices, tolerances);
   for (std::size_t j = 0; j < space.choices().size(); ++j) {
     const DesignSpace::Choice& choice = space.choices()[j];
-    const std::string& key = choice.parameters.front().places.front().key;
-    if (key == "friction" || key == "grip_force" || key == "force") continue;
+    if (is_strength(choice.parameters.front())) continue;
     for (const double end : {choice.from, choice.to}) {
       Values at = space.given();
       at[j] = end;

@@ -162,9 +162,10 @@ public:
         (of_pads->towards - of_pads->towards.dot(down) * down).normalized();
     const Vector3<double> more =
         hand_.gravity.norm() * ((std::cos(angle) - 1) * down + std::sin(angle) * aside);
-    const HoldLimit held = limit({Disturbance::acceleration, -more.normalized()});
     // Not known: all that is sure is that statics allows no more.
-    return held.limit < more.norm() ? of_pads->angle : all->angle;
+    Vector6<double> turned = Vector6<double>::Zero();
+    turned.head<3>() = hand_.object.mass * more;
+    return law_->holds(1, turned) == false ? of_pads->angle : all->angle;
   }
 
   /// By the scene's law: which grips hold, and does the scene's own?

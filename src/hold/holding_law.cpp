@@ -42,8 +42,8 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
   return rest.holds;
 }
 
-/// By what the pads' points bear, or statics, where the law agrees there or a little above: between
-/// answers that rest it may find some that fall.
+/// By what the pads' points bear, or by statics, where the law agrees; else by the law's own word.
+/// Between answers that rest it may find some that fall.
 double HoldingLaw::least_grip(double bound) {
   const auto is_held = [&](double factor) { return holds(factor, Vector6<double>::Zero()); };
   const bool is_proved = !std::isnan(pads_least_) && knows_prestress_;
@@ -54,15 +54,26 @@ double HoldingLaw::least_grip(double bound) {
   // Pads' points touch in more than one way, and these forces are the best of one.
   const bool may_be_less = is_proved && !is_locked && bound < (1 - hold_settings.of_points) * start;
   if (may_be_less && is_held((1 + hold_settings.same) * bound) == true) return bound;
-  const bool is_refuted = holds_now_ == false && start <= 1;
-  const double slack = is_proved ? hold_settings.of_points : hold_settings.same;
-  double least = start;
-  if (may_be_less && is_held((1 + hold_settings.same) * start) == true)
-    least = lowered(start, bound, is_held);
-  else if (is_refuted || !is_held((1 + slack) * start).value_or(is_proved))
-    least = searched(is_refuted ? 1 : start, 1, is_held);
-  if (holds_now_ == true && !(least <= 1)) least = lowered(1, bound, is_held);
+  double least = least_from(start, is_proved, is_held);
+  if (may_be_less && least == start) least = lowered(start, bound, is_held);
+  if (holds_now_ == true && least > 1) least = lowered(1, bound, is_held);
   return least <= statics_settings.closed ? 0 : least;
+}
+
+/// `start`, or the nearest above it that the law is found to hold; with nothing proved, nearest
+/// below the present grip if that holds: what lies between may fall.
+double HoldingLaw::least_from(double start, bool is_proved, const Question& is_held) const {
+  const bool is_refuted = holds_now_ == false && start <= 1;
+  if (is_refuted) return searched(1, 1, is_held);
+  const std::optional<bool> is_start = is_held((1 + hold_settings.same) * start);
+  if (is_start.value_or(is_proved)) return start;
+  const double more = (1 + hold_settings.of_points) * start;
+  if (is_proved && is_held(more) == true) {
+    const double found = halved(start, more, is_held);
+    return std::isnan(found) ? more : found;
+  }
+  return !is_proved && holds_now_ == true && start < 1 ? halved(start, 1, is_held)
+                                                       : searched(start, 1, is_held);
 }
 
 /// More than the most is a grip that the law does not hold, or there is none that is known. Where
@@ -148,18 +159,21 @@ double HoldingLaw::not_less(double held, const Question& is_held) const {
   return held;
 }
 
-/// From what holds downwards, with longer and longer strides: the end of what is found to hold.
-double HoldingLaw::lowered(double held, double bound, const Question& is_held) const {
-  for (double step = hold_settings.first_step * held;; step *= 2) {
+/// From what holds downwards, with longer and longer strides, to the end of what is found to hold;
+/// nan: there was no work left to look.
+double HoldingLaw::lowered(double from, double bound, const Question& is_held) const {
+  double held = from;
+  for (double step = hold_settings.first_step * from; !work_.is_used_up(); step *= 2) {
     const double next = std::max(held - step, bound);
-    if (!(next < held) || work_.is_used_up()) return held;
+    if (!(next < held)) return held;
     if (is_held((1 + hold_settings.same) * next) == true) {
       held = next;
       continue;
     }
     const double found = halved(next, held, is_held);
-    return std::isnan(found) ? held : found; // which holds, though it may not be the least
+    return std::isnan(found) && held < from ? held : found; // which holds, if not as the least
   }
+  return held < from ? held : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// From what does not hold upwards or downwards: the nearest that is found to hold. What lies

@@ -57,7 +57,8 @@ private:
   double searched(double refuted, double sign, const Question& is_held) const;
   double halved(double refuted, double held, const Question& is_held) const;
   double from_unit(double unit, double most, const Question& is_held) const;
-  double lowered(double held, double bound, const Question& is_held) const;
+  double lowered(double from, double bound, const Question& is_held) const;
+  double least_from(double start, bool is_proved, const Question& is_held) const;
   double not_less(double held, const Question& is_held) const;
 };
 

@@ -394,36 +394,6 @@ private:
     }
   }
 
-  /// The middle of a body's points, m, and how far the others lie from it.
-  std::pair<Vector3<double>, double> spread_of(std::size_t b) const {
-    const Indices points = points_of(file_.bodies[b]);
-    Vector3<double> middle = Vector3<double>::Zero();
-    for (const Index i : points) middle += position(i);
-    middle /= static_cast<double>(file_.bodies[b].point_count);
-    double reach = 0;
-    for (const Index i : points) reach = std::max(reach, (position(i) - middle).norm());
-    return {middle, reach};
-  }
-
-  /// Of two jaws that press against each other: a line from one to the other within the friction
-  /// of both, or the grip itself turns the object.
-  void check_facing(std::size_t one, std::size_t other) {
-    const Vector3<double>& n = file_.bodies[one].normal;
-    if (n.dot(file_.bodies[other].normal) > -1 + typed_slack) return;
-    const auto [first, first_reach] = spread_of(one);
-    const auto [second, second_reach] = spread_of(other);
-    const Vector3<double> between = second - first;
-    const double beside = (between - between.dot(n) * n).norm();
-    const double friction = std::min(file_.bodies[one].friction, file_.bodies[other].friction);
-    const double room = first_reach + second_reach + friction * std::abs(between.dot(n));
-    if (!(beside > room + surface_slack * size_)) return;
-    doubt(Doubt::jaws_apart, file_.lines.bodies[other].place,
-          body_label(file_, other) + "it and " + quoted(file_.body_names[one]) + " press " +
-              millimetres(beside) +
-              " beside each other, so that their grip itself turns the "
-              "object; is one of their places wrong?");
-  }
-
   void check_sides() {
     if (file_.hand != Hand::parallel && file_.hand != Hand::locked) return;
     std::vector<std::size_t> jaws; // other fingers are stops
@@ -431,7 +401,6 @@ private:
       if (file_.bodies[b].preload > 0 || is_driven(file_.view(), static_cast<Index>(b)))
         jaws.push_back(b);
     const std::size_t one = jaws[0], other = jaws[1];
-    if (jaws.size() == 2) check_facing(one, other);
     if (!(file_.bodies[one].normal.dot(file_.bodies[other].normal) > 0)) return;
     doubt(Doubt::jaws_same_side, file_.lines.bodies[other].normal,
           body_label(file_, other) + "it and " + quoted(file_.body_names[one]) +
@@ -452,8 +421,7 @@ const char* doubt_code(Doubt doubt) {
       "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
       "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
       "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "overhang",
-      "left_out",         "middle",          "unopposed",      "small_table",   "no_load",
-      "jaws_apart"};
+      "left_out",         "middle",          "unopposed",      "small_table",   "no_load"};
   return codes[static_cast<int>(doubt)];
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace lcpush::desktop {
 namespace {
@@ -51,7 +50,7 @@ std::string open_words(const SceneFile& file, const SpreadReport& spread,
 
 } // namespace
 
-std::string sharing_sentence(const SceneFile& file) {
+std::string sharing_sentence(const SceneFile& file, const Answer<double>& answer) {
   const std::vector<Index> supports = stiff_supports(file);
   if (supports.empty() && !are_points(file)) return "";
   SpreadOptions options;
@@ -65,10 +64,12 @@ std::string sharing_sentence(const SceneFile& file) {
     return !is_single(at.normal, same);
   });
   if (!load.empty() || !are_points(file)) return load;
-  std::vector<Index> all(file.bodies.size());
-  std::iota(all.begin(), all.end(), Index{0});
-  return open_words(file, spread, all, "friction", [&](const ContactSpread& at) {
-    return !is_single(at.tangential[0], same) || !is_single(at.tangential[1], same);
+  std::vector<Index> sticking;
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b)
+    if (answer.contacts[file.body(b).first_point].mode == Mode::stick) sticking.push_back(b);
+  return open_words(file, spread, sticking, "friction", [&](const ContactSpread& at) {
+    return is_single(at.normal, same) &&
+           (!is_single(at.tangential[0], same) || !is_single(at.tangential[1], same));
   });
 }
 

@@ -30,7 +30,6 @@ enum class Doubt {
   unopposed,        ///< fingers press the same way, and nothing meets them
   small_table,      ///< where a push goes along it, the object slides off it
   no_load,          ///< nothing presses: without gravity, forces and grip there is no friction
-  jaws_apart,       ///< two jaws whose forces pass each other: their grip turns the object
 };
 
 /// As JSON spells it.

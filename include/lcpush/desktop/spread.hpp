@@ -122,8 +122,9 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report,
                         Telling telling = Telling::brief);
 std::string spread_json(const SceneFile& file, const SpreadReport& report);
 
-/// "The laws leave open how fl, fr and rl share their load", of feet and rails; empty where they do
-/// not, or where patches press beside them. Cost: four paths of pivots and their faces.
-std::string sharing_sentence(const SceneFile& file);
+/// "The laws leave open how fl, fr and rl share their load", of feet and rails, or the friction of
+/// single points that stick in `answer`; empty where they do not, or where patches press beside
+/// them. Cost: four paths of pivots and their faces.
+std::string sharing_sentence(const SceneFile& file, const Answer<double>& answer);
 
 } // namespace lcpush::desktop
