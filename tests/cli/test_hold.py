@@ -264,6 +264,24 @@ class ClosedForms(unittest.TestCase):
             self.assertTrue(answer["may_bear_more"] or min(limits) >= 0.4, (points, limits))
             self.assertLess(max(limits), 0.421)
 
+    def test_a_least_grip_is_found_above_what_falls_or_is_not_told(self):
+        """A jaw against a stop, which falls between grips that hold; and one over a table, of which the law takes too long."""
+        jaw = lambda force, z, mu, shape: (
+            table("[[finger]]", name="left", on="-y", center=[0, z], friction=mu[0], grip_force=force, **shape) +
+            table("[[finger]]", name="right", on="+y", center=[0, z], friction=mu[1], **shape))
+        gap = lambda force: table("", gravity=[0, 12.4564, -21.1261]) + table("[gripper]", jaws="independent") + table(
+            "[object]", mass=1.71, box=[0.06, 0.03, 0.04], force=[15.84, 5.72, -3.92], moment=[0.1521, -0.1033, 0.0389]) + jaw(
+                force, 0, (0.72, 0.85), {"shape": "disc", "radius": 0.005})
+        least = hold(gap(291.2))["least_grip"]["force"]
+        for part in (1.1, 1.2, 1.5, 3):
+            self.assertTrue(hold(gap(part * least))["held"], part)
+        slow = table("", gravity=[0, 0, -9.81]) + table("[gripper]", jaws="independent") + table(
+            "[object]", mass=2.01, box=[0.06, 0.03, 0.08], moment=[0.0377, -0.017, 0.043]) + jaw(
+                70.4, 0.0022, (0.7, 0.7), {"shape": "rectangle", "size": [0.02, 0.02]}) + table(
+                    "[[finger]]", name="table", shape="rectangle", on="-z", size=[0.054, 0.027], friction=0.1)
+        factor = hold(slow)["least_grip"]["factor"]
+        self.assertTrue(factor is None or factor < 0.99, factor)
+
     def test_forces_that_statics_has_are_not_told_where_the_law_finds_none(self):
         """Three points of a table and two fingers, one point each: a displacement makes any pressure, and solve falls with
         what statics holds."""
