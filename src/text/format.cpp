@@ -9,18 +9,12 @@ namespace {
 
 constexpr std::size_t margin = 2; // before each column
 
-/// Columns that UTF-8 takes: its letters are a byte and such as go on with it.
-std::size_t shown_width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::vector<std::size_t> column_widths(const TableRows& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (c >= widths.size()) widths.push_back(0);
-      widths[c] = std::max(widths[c], shown_width(row[c]));
+      widths[c] = std::max(widths[c], text_columns(row[c]));
     }
   return widths;
 }
@@ -31,9 +25,9 @@ std::string block_text(const TableRows& rows, const std::vector<std::size_t>& wi
   std::string text;
   for (const auto& row : rows) {
     std::string line = std::string(margin, ' ') + row[0];
-    line.append(widths[0] - shown_width(row[0]), ' ');
+    line.append(widths[0] - text_columns(row[0]), ' ');
     for (std::size_t c = begin; c < std::min(end, row.size()); ++c) {
-      const std::string padding(widths[c] - shown_width(row[c]), ' ');
+      const std::string padding(widths[c] - text_columns(row[c]), ' ');
       line += std::string(margin, ' ') + (c < left ? row[c] + padding : padding + row[c]);
     }
     line.erase(line.find_last_not_of(' ') + 1);

@@ -9,11 +9,6 @@
 namespace lcpush::desktop {
 namespace {
 
-std::size_t columns(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
-}
-
 /// Where the words after a gap of two blanks or more begin; the first word of the line is no such.
 std::vector<std::size_t> gap_ends(std::string_view line) {
   std::vector<std::size_t> ends;
@@ -30,7 +25,7 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
   std::vector<std::size_t> gaps = gap_ends(line);
   // A comment after a long sentence: what stands before it is no label.
   if (gaps.size() == 1 && gaps.front() > width - width / 4) gaps.clear();
-  if (columns(line) <= width || gaps.size() > 1) return std::string(line);
+  if (text_columns(line) <= width || gaps.size() > 1) return std::string(line);
   std::size_t start = gaps.empty() ? line.find_first_not_of(' ') : gaps.front();
   if (line.substr(start, 2) == "- ") start += 2; // an entry of a list
   const std::string indent(start, ' ');
@@ -40,18 +35,23 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
     const std::size_t end = std::min(line.find(' ', start), line.size());
     const std::string_view word = line.substr(start, end - start);
     if (column > indent.size()) {
-      const bool fits = column + 1 + columns(word) <= width;
+      const bool fits = column + 1 + text_columns(word) <= width;
       text += fits ? std::string(" ") : "\n" + indent;
       column = fits ? column + 1 : indent.size();
     }
     text += word;
-    column += columns(word);
+    column += text_columns(word);
     start = end + 1;
   }
   return text;
 }
 
 } // namespace
+
+std::size_t text_columns(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
+}
 
 std::string wrapped(const std::string& text, std::size_t width) {
   std::string result;
