@@ -84,9 +84,9 @@ class SameJson(unittest.TestCase):
         words = ("hold", path, "--at", "0.1 0 0", "--direction", "moment 0 1 0")
         self.assertEqual(hold.json, printed(*words, "--json"))
         self.assertEqual(hold._repr_html_(), printed(*words, "--format", "svg"))
-        self.assertTrue(hold and repr(hold).startswith("Held with 1.43 times the grip it needs"))
+        self.assertTrue(hold and repr(hold).startswith("Held with 1.4 times the grip it needs"))
         self.assertEqual(hold.weakest.moment["first"], ["left", "right"])
-        self.assertRegex(repr(hold.least_grip), "^<Record force=[0-9.]+, factor=0.69[0-9]+, .*, of='per finger'>$")
+        self.assertRegex(repr(hold.least_grip), "^<Record force=[0-9.]+, factor=0.71[0-9]+, .*, of='per finger'>$")
         for of_box in (lcpush.read(path).hold(tolerance="*.friction=5%"), lcpush.read("docs/guide/uncertain_slide.toml").cone(),
                        lcpush.read("docs/guide/uncertain_slide.toml").hold()):
             self.assertIn(" for every ", repr(of_box))
