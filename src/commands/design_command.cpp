@@ -97,6 +97,8 @@ Result run_design(const Values& values, Listener& listener) {
     values.refuse("choose", values.usage("choose") + " says what may be chosen, such as " +
                                 values.label("choose") + " wall.shift[1]=-0.005:0.005");
   VariedScene scene = values.varied_scene(Needs::scene);
+  for (const char* option : {"choose", "tolerance"})
+    values.refuse_later_in(scene.as_given(), option);
   if (const SceneFile file = scene.as_given(); !file.planar && file.is_round && is_plane(file)) {
     refuse_leaving_plane(scene, values);
     listener.announce("The scene is its own image across z: taken as planar = true.");

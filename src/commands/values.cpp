@@ -124,11 +124,15 @@ VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
 }
 
 VariedScene Values::scene_with_ranges(Needs needs) const {
-  return with_tolerances(varied_scene(needs), texts("tolerance"));
+  const VariedScene scene = varied_scene(needs);
+  refuse_later_in(scene.as_given(), "tolerance");
+  return with_tolerances(scene, texts("tolerance"));
 }
 
 VariedScene Values::scene_of_middle(Needs needs) const {
-  return inspected(with_tolerances(read_scene(0), texts("tolerance")), needs);
+  const VariedScene scene = read_scene(0);
+  refuse_later_in(scene.as_given(), "tolerance");
+  return inspected(with_tolerances(scene, texts("tolerance")), needs);
 }
 
 VariedScene Values::read_scene(std::size_t k) const {
@@ -164,6 +168,11 @@ void Values::refuse_later(const SceneFile& file, const std::string& option,
   if (std::find(file.later.begin(), file.later.end(), name) != file.later.end())
     refuse(option, name + " is not there at the start, which this is about: it has a `from`. "
                           "`lcpush move` shows what it does then");
+}
+
+void Values::refuse_later_in(const SceneFile& file, const std::string& option) const {
+  for (const std::string& path : texts(option))
+    refuse_later(file, option, path.substr(0, path.find('.')));
 }
 
 Index Values::pusher(const SceneFile& file) const {

@@ -153,6 +153,8 @@ public:
   /// Refuses a pusher of that name that begins only later.
   void refuse_later(const SceneFile& file, const std::string& option,
                     const std::string& name) const;
+  /// The same of each PATH=VALUES of an option.
+  void refuse_later_in(const SceneFile& file, const std::string& option) const;
   /// Refuses a scene in which nothing moves.
   void refuse_still(const SceneFile& file) const;
   /// Is the scene to be taken as planar, since it is plane by its own symmetry? The listener hears

@@ -99,8 +99,10 @@ private:
     }
     verdict.leaves = leaves(twist / twist.cwiseAbs().maxCoeff());
     if (!verdict.sticks) verdict.margin = -verdict.margin;
-    verdict.grip = least_grip(grip_, cone.pusher(), load_, planar);
-    verdict.most_grip = most_grip(grip_, cone.pusher(), load_, planar);
+    if (const auto sticks = sticking_grips(grip_, cone.pusher(), load_, planar)) {
+      verdict.grip = sticks->least;
+      verdict.most_grip = sticks->most;
+    }
     report_.verdict = verdict;
   }
 

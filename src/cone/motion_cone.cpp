@@ -128,35 +128,28 @@ PlaceVerdict judge_at_place(const PusherCone& pusher, const std::vector<Crossing
   return {above >= 0 && below >= 0, std::abs(is_first ? above : below), is_first ? first : last};
 }
 
-std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<double>& resistance,
-                                     const Vector3<double>& load) {
-  double least = 0, most = std::numeric_limits<double>::infinity();
+std::optional<GripFactors> between_faces(const PusherCone& pusher,
+                                         const Vector3<double>& resistance,
+                                         const Vector3<double>& load) {
+  GripFactors sticks{0};
   for (const ConeFace& face : pusher.faces) {
     const double by_grip = face.inward.dot(resistance), by_load = face.inward.dot(load);
     if (by_grip > 0)
-      least = std::max(least, by_load / by_grip);
+      sticks.least = std::max(sticks.least, by_load / by_grip);
     else if (by_grip < 0)
-      most = std::min(most, by_load / by_grip);
+      sticks.most = std::min(sticks.most, by_load / by_grip);
     else if (by_load > 0)
       return std::nullopt;
   }
-  return least <= most && most > 0 ? std::optional<double>(least) : std::nullopt;
+  return sticks.least <= sticks.most && sticks.most > 0 ? std::optional(sticks) : std::nullopt;
 }
 
-std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pusher,
-                                 const Vector3<double>& load, const Vector3<double>& twist) {
-  if (pusher.faces.empty()) return least_at_place(grip, pusher, load, twist);
-  return least_of_faces(pusher, grip.resistance(beside(twist)), load);
-}
-
-double most_grip(const LimitSurface& grip, const PusherCone& pusher, const Vector3<double>& load,
-                 const Vector3<double>& twist) {
-  const Vector3<double> resistance = grip.resistance(beside(twist));
-  double most = std::numeric_limits<double>::infinity();
-  for (const ConeFace& face : pusher.faces)
-    if (const double by_grip = face.inward.dot(resistance); by_grip < 0)
-      most = std::min(most, face.inward.dot(load) / by_grip);
-  return most;
+std::optional<GripFactors> sticking_grips(const LimitSurface& grip, const PusherCone& pusher,
+                                          const Vector3<double>& load,
+                                          const Vector3<double>& twist) {
+  if (!pusher.faces.empty()) return between_faces(pusher, grip.resistance(beside(twist)), load);
+  const std::optional<double> least = least_at_place(grip, pusher, load, twist);
+  return least ? std::optional(GripFactors{*least}) : std::nullopt;
 }
 
 } // namespace lcpush::desktop

@@ -3,6 +3,7 @@
 
 #include "cone/pusher_cone.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace lcpush::desktop {
@@ -52,17 +53,21 @@ struct PlaceVerdict {
 PlaceVerdict judge_at_place(const PusherCone& pusher, const std::vector<Crossing>& edges,
                             const Vector3<double>& twist);
 
-/// The least factor s on a grip's resistance R to a motion with which the pusher sticks: the grip's
+/// From which factor on all grip forces to which one a pusher sticks.
+struct GripFactors {
+  double least, most = std::numeric_limits<double>::infinity();
+};
+
+/// The factors s on a grip's resistance R to a motion with which the pusher sticks: the grip's
 /// wrench is in proportion to its force, and s R - load lies in the pusher's cone where it is on
 /// the inner side of each of its faces. None: with no grip. Pre: the cone has faces.
-std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<double>& resistance,
-                                     const Vector3<double>& load);
+std::optional<GripFactors> between_faces(const PusherCone& pusher,
+                                         const Vector3<double>& resistance,
+                                         const Vector3<double>& load);
 
-/// The least factor on all grip forces with which the pusher sticks; none: with no grip.
-std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pusher,
-                                 const Vector3<double>& load, const Vector3<double>& twist);
-/// The largest such factor, by the faces of the cone; infinite: none, or there are no faces.
-double most_grip(const LimitSurface& grip, const PusherCone& pusher, const Vector3<double>& load,
-                 const Vector3<double>& twist);
+/// The factors on all grip forces with which the pusher sticks; none: with no grip.
+std::optional<GripFactors> sticking_grips(const LimitSurface& grip, const PusherCone& pusher,
+                                          const Vector3<double>& load,
+                                          const Vector3<double>& twist);
 
 } // namespace lcpush::desktop

@@ -231,6 +231,19 @@ std::vector<Fact> press_facts(const SceneFile& file, const HoldStudy& study) {
                (study.presses ? ", without friction" : "; --press counts it as a load")}};
 }
 
+/// Of pads their statics is asked, and the law of few points may turn a little earlier; but gravity
+/// that turns changes by twice the weight at most, and the law may bear that whichever way it acts.
+std::string tilt_words(const SceneFile& file, const HoldStudy& study) {
+  const bool is_any = study.tilt >= std::acos(-1.0);
+  if (!is_any)
+    return (study.is_statics ? "" : "at most ") + brief(study.tilt * degrees_a_radian) +
+           " degrees of gravity, any way";
+  const bool is_borne = study.at == file.object.center_of_mass &&
+                        study.weakest[0].limit >= 2 * file.object.mass * file.gravity.norm();
+  return std::string("gravity may point any way") +
+         (study.is_statics || is_borne ? "" : ", by statics");
+}
+
 std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
   std::vector<Fact> facts{hand_fact(file)};
   for (const Fact& fact : press_facts(file, study)) facts.push_back(fact);
@@ -277,12 +290,7 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
         {"Added mass",
          (std::isinf(study.added_mass) ? "as much as you like," : brief(study.added_mass) + " kg") +
              (study.at == file.object.center_of_mass ? " at its centre" : " at that point")});
-  // Of pads their statics is asked: the law of few points may turn a little earlier.
-  const bool is_bound = !study.is_statics && study.tilt < std::acos(-1.0);
-  if (!std::isnan(study.tilt))
-    facts.push_back({"Tilt", (is_bound ? "at most " : "") + brief(study.tilt * degrees_a_radian) +
-                                 " degrees of gravity, any way" +
-                                 (study.is_statics || is_bound ? "" : ", by statics")});
+  if (!std::isnan(study.tilt)) facts.push_back({"Tilt", tilt_words(file, study)});
   if (const std::string text = statics_text(file, study); !text.empty())
     facts.push_back({"By statics", text});
   return facts;

@@ -211,8 +211,8 @@ PushNeeds Pushing::needs(std::size_t k, const Arc& arc) const {
     needs.friction = std::max(needs.friction, std::abs(dragged / pressed) / pusher.share);
     needs.reach = std::max(needs.reach, std::abs(at - pusher.middle));
     const Vector3<double> load = turned(load_, -pose.angle);
-    const auto grip = least_of_faces(pusher.cone, *w + load, load);
-    if (grip) needs.grip = std::max(needs.grip, *grip);
+    const auto sticks = between_faces(pusher.cone, *w + load, load);
+    if (sticks) needs.grip = std::max(needs.grip, sticks->least);
     const LimitSurface held(grip_, length_, {pose.x, pose.y, 0}, pose.angle, touching(pose));
     needs.grip = std::max(needs.grip, held.share_of(load)); // with less it falls
   }

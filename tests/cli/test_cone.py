@@ -64,7 +64,8 @@ class Cone(unittest.TestCase):
 
     def test_a_pusher_that_comes_later_is_named_as_that(self):
         later = without(square(), "south", "north") + pusher("pin", "point", on="-y", friction=0.3, velocity=[0, 0.01, 0]) + 'from = "1 s"\n'
-        for words in (("cone", "-", "--pusher", "pin"), ("break", "-", "--pusher", "pin"), ("sweep", "-", "--vary", "pin.friction=0:1")):
+        for words in (("cone", "-", "--pusher", "pin"), ("break", "-", "--pusher", "pin"), ("sweep", "-", "--vary", "pin.friction=0:1"),
+                      ("solve", "-", "--tolerance", "pin.friction=10%"), ("design", "-", "--choose", "pin.center[2]=-0.01:0.01")):
             refused = command(words[0])(*words[1:], text=later)
             self.assertEqual(refused.returncode, 2, words)
             self.assertIn("pin is not there at the start, which this is about", unwrapped(refused.stderr))
