@@ -104,6 +104,9 @@ inline const Option tolerance_option{
     "tolerance", "PATH=R%",
     "for every value so near, or in PATH=FROM:TO; PATH alone: by how much it may be off", true};
 
+inline const Option press_option{
+    "press", "", "pushers with a normal_force press with it, without friction: a load to hold"};
+
 inline const Option facets_option{
     "facets", "G", "sides of the friction pyramids, or round, instead of the scene's own"};
 

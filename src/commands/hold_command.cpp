@@ -62,9 +62,7 @@ Result run_hold(const Values& values, Listener& listener) {
     question.directions.push_back(read_direction(values, text));
   question.with_sections = format == "svg";
   question.presses = values.has("press");
-  if (question.presses && presses_of(file).empty())
-    values.refuse("press", values.label("press") + " counts what pushers press with, and no pusher "
-                                                   "of this scene has a normal_force");
+  values.refuse_no_press(file);
   if (question.presses && !scene.ranges().empty())
     values.refuse("press", values.label("press") + " goes with numbers, not with ranges");
   PushOptions options;
@@ -107,8 +105,7 @@ Command hold_command() {
           {{"at", "\"X Y Z\"", "where forces act (m, the scene's frame); else the centre of mass"},
            {"direction", "\"WHAT X Y Z\"",
             "also this one: force, moment or acceleration, and where to; may be repeated", true},
-           {"press", "",
-            "pushers with a normal_force press with it, without friction: a load to hold"},
+           press_option,
            pressure_option,
            facets_option,
            tolerance_option,

@@ -100,6 +100,12 @@ bool has_pusher(const Values& values) {
   return values.varied_scene(Needs::scene).as_given().bodies.back().role == Role::pusher;
 }
 
+bool pushes(const SceneFile& file, const std::string& name) {
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b)
+    if (file.body(b).role == Role::pusher && file.body_name(b) == name) return true;
+  return false;
+}
+
 /// Of the grasp without a push.
 Result run_hold_sweep(const Values& values, Listener& listener, const std::string& curve) {
   const std::string format = values.format();
@@ -111,8 +117,17 @@ Result run_hold_sweep(const Values& values, Listener& listener, const std::strin
                                values.label("curve") + " " + curve);
   if (variations.size() != 1 || values.scene_count() != 1)
     values.refuse("vary", values.label("curve") + " " + curve + " is one scene's along one number");
+  const SceneFile file = scene.as_given();
+  const bool presses = values.has("press");
+  values.refuse_no_press(file);
+  if (const std::string& owner = variations[0].parameter.owner; !presses && pushes(file, owner))
+    values.refuse("vary",
+                  "a hold is what the grasp bears without " + owner + ", which pushes" +
+                      (presses_of(file).empty()
+                           ? ""
+                           : "; " + values.label("press") + " counts forces of pushers as a load"));
   constexpr Index usual_steps = 51;
-  HoldSweep sweep = sweep_hold(scene, variations[0],
+  HoldSweep sweep = sweep_hold(scene, variations[0], presses,
                                values.whole("steps", {2, limits::map_steps}).value_or(usual_steps),
                                [&listener](double part) { return listener.stop(part); });
   sweep.of_margin = curve != "hold.least_grip";
@@ -139,6 +154,9 @@ Result run_sweep(const Values& values, Listener& listener) {
     listener.announce("Nothing pushes in this scene: the sweep is of hold.margin, as of --curve.");
     return run_hold_sweep(values, listener, "hold.margin");
   }
+  if (values.has("press"))
+    values.refuse("press", values.label("press") + " goes with " + values.label("curve") +
+                               " hold.margin or hold.least_grip");
   const std::vector<SweepQuantity> shown = shown_quantities(values, format);
   std::vector<VariedScene> scenes;
   std::vector<SweepCurve> curves = read_curves(values, listener, scenes);
@@ -291,6 +309,7 @@ Examples:
            facets_option,
            {"pusher", "NAME", "which one pushes, among several; the others are left out"},
            {"curve", "NAME", "of the grasp without a push: hold.margin or hold.least_grip"},
+           press_option,
            {"show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"label", "WORDS", "what the picture's axis says of --vary; again for a map's second",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lcpush/desktop/hold.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
@@ -173,6 +174,12 @@ void Values::refuse_later(const SceneFile& file, const std::string& option,
 void Values::refuse_later_in(const SceneFile& file, const std::string& option) const {
   for (const std::string& path : texts(option))
     refuse_later(file, option, path.substr(0, path.find('.')));
+}
+
+void Values::refuse_no_press(const SceneFile& file) const {
+  if (has("press") && presses_of(file).empty())
+    refuse("press", label("press") + " counts what pushers press with, and no pusher of this scene "
+                                     "has a normal_force");
 }
 
 Index Values::pusher(const SceneFile& file) const {

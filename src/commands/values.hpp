@@ -155,6 +155,8 @@ public:
                     const std::string& name) const;
   /// The same of each PATH=VALUES of an option.
   void refuse_later_in(const SceneFile& file, const std::string& option) const;
+  /// Refuses `press` of a scene where nothing presses.
+  void refuse_no_press(const SceneFile& file) const;
   /// Refuses a scene in which nothing moves.
   void refuse_still(const SceneFile& file) const;
   /// Is the scene to be taken as planar, since it is plane by its own symmetry? The listener hears

@@ -27,7 +27,8 @@ struct PusherCone {
   std::vector<ConeFace> faces;      ///< none if the cone is flat: it presses at one place
   Vector3<double> along;            ///< z x n
 
-  /// Is the wrench one that the pusher can exert? Least product with a face, over its size.
+  /// Is the wrench one that the pusher can exert? Least product with a face, over its size; 0: a
+  /// flat cone has no inside.
   double room(const Vector3<double>& wrench) const;
 };
 

@@ -36,11 +36,12 @@ std::string change_sentence(const HoldSweep& sweep) {
 
 } // namespace
 
-HoldSweep sweep_hold(const VariedScene& scene, const Variation& variation, Index steps,
-                     const StopCheck& stop) {
+HoldSweep sweep_hold(const VariedScene& scene, const Variation& variation, bool presses,
+                     Index steps, const StopCheck& stop) {
   HoldSweep sweep{variation, {}, {}};
   HoldQuestion question;
   question.grip_alone = true;
+  question.presses = presses;
   for (Index k = 0; k < steps; ++k) {
     if (stop && (sweep.stop = stop(1)) != Stop::none) break;
     const double share = static_cast<double>(k) / static_cast<double>(steps - 1);

@@ -367,6 +367,7 @@ private:
       if (point.normal_force > 0)
         report_.pressed_gap = std::max(report_.pressed_gap, point.gap.value_or(0));
     if (report_.steps < 2) report_.first = frame.bodies;
+    if (!report_.first.empty() && is_getting_going(frame)) report_.first.clear();
     report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
     report_.longest = std::max(report_.longest, h);
     ++report_.steps;
@@ -374,6 +375,14 @@ private:
     last_ = frame;
     last_.turn = turn;
     if (is_touched()) touched_ = frame.pose.position;
+  }
+
+  /// A first push that soon is another one is none that the motion takes.
+  bool is_getting_going(const MotionFrame& frame) const {
+    if (report_.steps > 2 && frame.time > Settings::start * time_) return false;
+    const double first = push_force(file_, report_.first).norm(),
+                 now = push_force(file_, frame.bodies).norm();
+    return std::abs(now - first) > Settings::begun * std::max(now, first);
   }
 
   bool is_touched() const {

@@ -205,16 +205,20 @@ std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
   const bool goes = path > Settings::worth_a_word * (phase.path + turned);
   const std::string along =
       goes ? " along " + direction_text(phase.along.normalized()) : std::string();
+  const std::string goes_words = goes ? " and goes " + millimetres(path) + along : std::string();
+  const bool returns = angle < Settings::to_and_fro * phase.angle;
+  const auto turned_by = [&](const std::string& verb) {
+    return returns ? verb + " to and fro, by " + degrees(angle) + about + " in the end"
+                   : verb + " " + degrees(angle) + about;
+  };
   switch (phase.kind) {
   case MotionKind::rest: return "stays for " + brief(phase.until - phase.from) + " s";
   case MotionKind::slide: return "slides " + millimetres(path) + along;
-  case MotionKind::pivot: return "pivots " + degrees(angle) + about;
-  case MotionKind::roll:
+  case MotionKind::pivot: return turned_by("pivots");
+  case MotionKind::roll: return turned_by(rolling_verb(file)) + goes_words;
   case MotionKind::turn: break;
   }
-  const char* verb = phase.kind == MotionKind::roll ? rolling_verb(file) : "turns";
-  return verb + (" " + degrees(angle)) + about +
-         (goes ? " and goes " + millimetres(path) + along : "");
+  return turned_by("turns") + goes_words;
 }
 
 std::string move_sentence(const SceneFile& file, const MotionReport& report) {

@@ -42,6 +42,9 @@ struct MoveSettings {
   static constexpr std::size_t kept_phases = 1024; ///< chatter has more: neighbours are joined
   static constexpr double same_axis = 0.95;        ///< cosine: beyond 18 degrees it is another turn
   static constexpr double no_turn = 1e-3;          ///< of the path: it slides
+  static constexpr double to_and_fro = 0.7; ///< of all turning: whose sum is less went back as well
+  // A push that changes by so much in so much of the whole time is still getting going.
+  static constexpr double begun = 0.05, start = 0.03;
   // Jumps of the push: less than this part of the force is none, nor what is next to nothing in the
   // whole motion; at once is so many times as fast as the changes before and after. A force that
   // changes gradually has steps alike, a blow goes up and down at the same rate.

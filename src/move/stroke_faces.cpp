@@ -239,10 +239,20 @@ private:
              "a body that touches a ball is a plane, at one point, where the normal points to the "
              "centre. If it is a point of the object that meets a plane of this body, say "
              "points_on = \"object\"");
+    Vector3<double> middle = Vector3<double>::Zero();
+    for (const Index i : points_of(file_.body(b)))
+      middle += point_at(i) / static_cast<double>(file_.body(b).point_count);
+    const Vector3<double> across = middle - side_axis() * side_axis().dot(middle);
+    const double radius = file_.shape.size[(file_.shape.axis + 1) % 3] / 2;
+    if ((across + radius * file_.body(b).normal).norm() < radius / 2)
+      refuse(
+          b, lines(b).place,
+          "a flat body touches a cylinder's side in a line along its axis: give shape = "
+          "\"line\", and as ends two points of the side from which the normal points to the axis");
     refuse(b, lines(b).place,
-           "a body that touches a cylinder's side is a plane along it: its points lie on the side, "
-           "where the normal points to the axis. If they are points of the object that meet a "
-           "plane of this body, say points_on = \"object\"");
+           "this is not on the cylinder's side, where the normal points to the axis. If the object "
+           "has another face there, as a handle, give its [[face]]s; if these are points of the "
+           "object that meet a plane of this body, say points_on = \"object\"");
   }
 
   const SceneFile& file_;

@@ -121,19 +121,20 @@ HoldReport Push::rest_alone(const SceneFile& alone, const PushOptions& options) 
   }
   if (report.status == Status::solved) {
     const double noise = rest_noise(alone, layout().scales, options.solver);
-    const auto decide = [&] {
+    const auto decide = [&](double left) {
       report.acceleration = work_.answer.acceleration;
-      return decide_rest(alone, {report.acceleration, layout().scales, noise});
+      return decide_rest(alone, {report.acceleration, layout().scales, left});
     };
-    Rest rest = decide();
+    Rest rest = decide(noise);
     // What the last round's compliance leaves looks like a slow fall, the more so the smaller the
-    // patches are. A fall stays when more of that is taken away.
+    // patches are. A fall stays when more of that is taken away, but for what the check of an
+    // answer calls rest: a hundred points end no nearer.
     const SolveSettings settings;
     PressureRun ignored;
     if (rest == Rest::falls && alone.pressure == Pressure::pad &&
         motion_size(report.acceleration, layout().scales) <= settings.slow_fall * noise &&
         run(options, 0.0, ignored, settings.finer_pads) == Status::solved)
-      rest = decide();
+      rest = decide(std::max(noise, Tolerances<double>().residual));
     report.holds = rest != Rest::falls;
     if (rest == Rest::not_known || (by_pyramids && !report.holds))
       report.status = Status::numerical_breakdown;

@@ -110,8 +110,9 @@ struct HoldSweep {
   Stop stop = Stop::none;         ///< what ended it early: then there are fewer
   bool of_margin = true;          ///< what the picture shows; else the least grip force
 };
-HoldSweep sweep_hold(const VariedScene& scene, const Variation& variation, Index steps,
-                     const StopCheck& stop = {});
+/// `presses`: as of a HoldQuestion.
+HoldSweep sweep_hold(const VariedScene& scene, const Variation& variation, bool presses,
+                     Index steps, const StopCheck& stop = {});
 std::string hold_sweep_text(const HoldSweep& sweep);
 std::string hold_sweep_csv(const HoldSweep& sweep);
 std::string hold_sweep_json(const HoldSweep& sweep);

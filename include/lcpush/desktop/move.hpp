@@ -125,8 +125,9 @@ struct MotionReport {
   std::optional<double> error;      ///< m, estimated, of controlled steps
   double penetration = 0;           ///< m, the deepest
   double pressed_gap = 0;           ///< m, the largest across which a point presses at a step's end
-  std::vector<BodyForce> first;     ///< once what starts at once has started: in the second step
-  double residual = 0;              ///< the laws' largest, by check
+  /// Once what starts at once has started, in the second step; none: it soon changes.
+  std::vector<BodyForce> first;
+  double residual = 0; ///< the laws' largest, by check
 };
 
 /// How long, if nobody says: to the end of the last stroke, else 1 s.
