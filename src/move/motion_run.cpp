@@ -93,6 +93,12 @@ Status MotionRun::advance_by_pyramids(double h, const Saved& before) {
   return status;
 }
 
+void MotionRun::forget_tries(Index by_pyramids) {
+  by_pyramids_ = by_pyramids;
+  if (by_pyramids_ < MoveSettings::most_unsettled)
+    scene_.round_cones = {cones_.data(), static_cast<Index>(cones_.size())};
+}
+
 MotionRun::State MotionRun::state() const {
   return {stepper_.moment(),
           {memory_.poses.begin(), memory_.poses.end()},

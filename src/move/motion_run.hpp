@@ -42,6 +42,8 @@ public:
   /// does not settle, pyramids have the answer; after some such steps, they have all others too.
   [[nodiscard]] Status advance(double h);
   Index by_pyramids() const { return by_pyramids_; }
+  /// As if round friction had not settled in more than so many solves: the others were tries.
+  void forget_tries(Index by_pyramids);
   /// Of the steps to come: may pyramids answer instead? Else such a step says why it does not.
   void allow_pyramids(bool allowed) { allows_pyramids_ = allowed; }
 

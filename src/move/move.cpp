@@ -196,7 +196,8 @@ private:
     pair.end = taken(h / 2);
     // What leaves its face at the end of a step is seen there, before the next one begins.
     pair.has_event = changes(last_, pair.half.frame) || changes(pair.half.frame, pair.end.frame) ||
-                     run_.leaves();
+                     turns_back(last_, pair.half.frame) ||
+                     turns_back(pair.half.frame, pair.end.frame) || run_.leaves();
     return status;
   }
 
@@ -244,7 +245,9 @@ private:
       ++located_;
       event_by_ = std::numeric_limits<double>::infinity();
     }
-    if (pair.has_event && lands() && before.moment.time > landed_ && land(before, h)) return true;
+    const bool ends_there = lands() || turns_or_rests(last_, pair.half.frame) ||
+                            turns_or_rests(pair.half.frame, pair.end.frame);
+    if (ends_there && before.moment.time > landed_ && land(before, h)) return true;
     *report_.error += pair.error;
     if (passes_distance()) return go_last(before, h);
     keep(pair.half);
@@ -262,19 +265,22 @@ private:
     return false;
   }
 
-  /// The step ends where it comes down, by halving. Else a part of the blow would be left to the
-  /// next one, and what friction has of it would depend on how the steps fall. False: it is there
-  /// already, or a step has no answer.
+  /// The step ends where it comes down, turns back or comes to rest, by halving. Else a part of the
+  /// blow would be left to the next one, and what friction has of it would depend on how the steps
+  /// fall; and a step that slips back at its end, or sticks, would have all of its friction that
+  /// way. False: it is there already, or a step has no answer.
   bool land(const MotionRun::Saved& before, double h) {
     const MotionRun::Saved after = run_.save();
+    const Index by_pyramids = run_.by_pyramids();
     double above = 0, below = h;
     for (int k = 0; k < Settings::landing_halvings; ++k) {
       const double middle = (above + below) / 2;
       run_.restore(before);
       if (solve(middle) != Status::solved) break;
-      (lands() ? below : above) = middle;
+      (lands() || turns_or_rests(last_, run_.frame(middle)) ? below : above) = middle;
     }
     run_.restore(before);
+    run_.forget_tries(by_pyramids);
     if (above > 0 && solve(above) == Status::solved && !passes_distance()) {
       keep(taken(above));
       landed_ = now();
@@ -350,6 +356,38 @@ private:
     for (std::size_t i = 0; i < from.contacts.size(); ++i)
       if (from.contacts[i].touch != to.contacts[i].touch) return true;
     return false;
+  }
+
+  /// Does friction turn round, as that of a block does which slides up a ramp and down again? Of
+  /// what is slow beside the rest, as points about which a pad turns, that is next to nothing.
+  bool turns_back(const MotionFrame& from, const MotionFrame& to) const {
+    if (from.step == 0) return false;
+    const auto fastest = [](const MotionFrame& frame) {
+      double most = 0;
+      for (const PointState& point : frame.contacts)
+        if (point.touch == Touch::slips) most = std::max(most, point.velocity.norm());
+      return most;
+    };
+    const double was_fast = fastest(from), is_fast = fastest(to);
+    for (std::size_t i = 0; i < from.contacts.size(); ++i) {
+      const PointState &was = from.contacts[i], &is = to.contacts[i];
+      if (was.touch == Touch::slips && is.touch == Touch::slips &&
+          was.velocity.dot(is.velocity) < 0 && is.friction_force.norm() > 0 &&
+          was.velocity.norm() > Settings::slow_slip * was_fast &&
+          is.velocity.norm() > Settings::slow_slip * is_fast)
+        return true;
+    }
+    return false;
+  }
+
+  /// Does what slips turn back, or the object come to rest? What would slip on the other way sticks
+  /// for a step.
+  bool turns_or_rests(const MotionFrame& from, const MotionFrame& to) const {
+    const double was = speed(from.twist), is = speed(to.twist);
+    return (from.step > 0 && was > 0 && is <= Settings::at_rest * was) || turns_back(from, to);
+  }
+  double speed(const Vector6<double>& twist) const {
+    return twist.head<3>().norm() + size_ / 2 * twist.tail<3>().norm();
   }
 
   void keep(const Taken& step) {

@@ -24,7 +24,9 @@ struct MoveSettings {
   /// Of a step's way, what an extrapolated end may be off its faces: the next step makes that up,
   /// at this part of its speed.
   static constexpr double unfelt = 1e-4;
-  static constexpr double same_time = 1e-12;  ///< rounding of a sum of steps
+  static constexpr double slow_slip = 0.1;   ///< of the fastest: where that turns round is no event
+  static constexpr double at_rest = 1e-9;    ///< of the speed before
+  static constexpr double same_time = 1e-12; ///< rounding of a sum of steps
   static constexpr double whole_steps = 1e-6; ///< of a step, as which nothing is left over
   static constexpr Index most_located =
       64; ///< events; a patch that flickers must not take for ever

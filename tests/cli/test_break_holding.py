@@ -189,6 +189,13 @@ class Holding(ToolTest):
                 file.write_text(scaled)
                 self.assertIs(json_of("solve", file)["holds_without_push"], factor >= 1, (seed, factor))
 
+    def test_what_a_hundred_points_leave_of_rest_is_no_fall(self):
+        plate = table("", gravity=[0, 0, -9.81]) + table("[object]", mass=0.4, cylinder_radius=0.13, cylinder_length=0.008, axis="z")
+        for name, on in (("thumb", "+z"), ("index", "-z")):
+            plate += finger(name, "disc", on=on, center=[0, 0.12], radius=0.008, points=96, friction=0.6, grip_force=30)
+        plate += pusher("rack", "point", center=[0, -0.13, 0], normal=[0, 1, 0], friction=0.3, velocity=[0, 0.01, 0])
+        self.assertTrue(json_of("solve", "-", "--seconds", 600, text=plate)["holds_without_push"])
+
     def test_a_fall_slower_than_the_slowest_push_is_a_fall_and_no_pull(self):
         # 2 mu 2 N carries 1.962 N from mu = 0.4905 on. The object slips as the rod moves, whatever it weighs, so
         # that pushes taken back to none left no fall but a rod that pulls: -0.000274 N, called solved.

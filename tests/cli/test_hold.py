@@ -14,7 +14,7 @@ from tool import SCENES, SOURCE, ToolTest, command, main, unwrapped
 
 import held_loads
 import scene_tables as tables
-from scene_tables import table
+from scene_tables import pusher, table
 
 run = command("hold")
 ALL = "--all" in sys.argv
@@ -608,6 +608,12 @@ class Words(ToolTest):
             self.assertAlmostEqual(point["least_grip"], WEIGHT / (2 * mu), 5)
             self.assertAlmostEqual(point["margin"], 20 * 2 * mu / WEIGHT, 5)
             self.assertEqual(point["held"], 40 * mu >= WEIGHT)
+        pressed = self.file("pressed.toml", scene(pinch()) + pusher("palm", "point", center=[-0.05, 0, 0], normal=[1, 0, 0], friction=0.3,
+                                                                  normal_force=3))
+        varied = (pressed, "--vary", "palm.normal_force=0:6", "--steps", 3, "--curve", "hold.margin")
+        self.is_refused(command("sweep")(*varied), r"a hold is what the grasp bears without palm.*--press counts")
+        pressing = json.loads(command("sweep")(*varied, "--press", "--json").stdout)
+        self.assertGreater(pressing["points"][0]["margin"], 1.2 * pressing["points"][2]["margin"])
         bare = command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--steps", 6)
         self.assertIn("Nothing pushes", bare.stderr)
         self.assertRegex(bare.stdout, r"the object\s+falls, then is held\s+from\s+between\s+0.04\s+and\s+0.08 on")

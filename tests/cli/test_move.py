@@ -22,8 +22,8 @@ PIVOT, SLIDE = SCENES / "pivot.toml", SCENES / "straight_slide.toml"
 MODES = {"stick", "slide", "separate", "beside", "behind", "no_line", "away"}
 
 
-def answer(*words):
-    result = run(*words, "--json")
+def answer(*words, **more):
+    result = run(*words, "--json", **more)
     return json.loads(result.stdout), result.returncode
 
 
@@ -35,6 +35,42 @@ class Move(unittest.TestCase):
         self.assertLess(max(map(len, result.stdout.splitlines())), 81)
         self.assertIn("pivots", run(PIVOT).stdout.split("\n\n")[1])
         self.assertIn("rolls 143 degrees", run(SCENES / "rolling.toml").stdout)
+
+    def test_what_slides_up_and_down_again_loses_to_friction_on_both_ways(self):
+        up, down = 9.81 * (0.5 + 0.2 * 0.75 ** 0.5), 9.81 * (0.5 - 0.2 * 0.75 ** 0.5)
+        for across in (0, 1e-5): # so that it nearly stops, and does
+            ramp = (table("", gravity=[4.905, -9.81 * 0.75 ** 0.5, 0]) +
+                    table("[object]", mass=1, box=[0.2, 0.02, 0.2], velocity=[-1, 0, across]) +
+                    finger("slope", "rectangle", on="-y", along="x", size=[0.2, 0.2], friction=0.2, points_on="object"))
+            for frames in (3, 21):
+                end, error = answer("-", "--time", 1, "--frames", frames, text=ramp)[0]["frames"][-1]["position"][0], 2e-6
+                self.assertAlmostEqual(end, down * (1 - 1 / up) ** 2 / 2 - 1 / (2 * up), delta=error + 5e-6 * (across > 0))
+
+    def test_what_spins_to_and_fro_in_pads_does_so_both_ways(self):
+        pads = table("", gravity=[0, 0, 0]) + table("[object]", mass=0.5, inertia=[0.001] * 3, moment=[0, 0, 0.08], angular_velocity=[0, 0, -20.0])
+        for name, side in (("l", 1), ("r", -1)):
+            pads += finger(name, "ring", center=[0, 0, side * 0.01], normal=[0, 0, -side], radius=0.02, friction=0.5, grip_force=2.0)
+        for frames in (3, 21):
+            motion = answer("-", "--time", 0.4, "--frames", frames, text=pads)[0]
+            r = motion["frames"][-1]["rotation"]
+            self.assertAlmostEqual(math.atan2(r[3], r[0]), -5 / 3 + 20 * (0.4 - 1 / 6) ** 2, delta=1e-5)
+
+    def test_a_book_that_rocks_is_told_to_go_to_and_fro(self):
+        book = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=1, box=[0.04, 0.15, 0.24]) +
+                finger("shelf", "rectangle", on="-z", size=[0.04, 0.15], points_on="object", friction=0.4) +
+                pusher("finger", "point", on="-x", center=[0, 0.1], friction=0.3, velocity=[0.02, 0, 0], until=1))
+        self.assertIn("turns to and fro, by ", unwrapped(run("-", "--time", 3, "--seconds", 600, text=book).stdout))
+
+    def test_a_push_that_only_gets_going_is_not_the_one_that_a_motion_takes(self):
+        first = lambda name: re.search(r"^  0 .*?(\S+)$", run(SCENES / name).stdout, flags=re.M)[1]
+        self.assertEqual([first("lever.toml"), first("straight_slide.toml")], ["-", "20.12"])
+
+    def test_flat_pads_on_a_round_side_are_told_to_be_lines(self):
+        for place, words in ((dict(center=[0.033, 0, 0.02], size=[0.02, 0.025]), 'give shape = "line"'),
+                             (dict(center=[0.06, 0, 0.02], size=[0.02, 0.025]), "[[face]]s")):
+            bottle = (table("[object]", mass=0.5, cylinder_radius=0.033, cylinder_length=0.2, axis="z") +
+                      finger("pad", "rectangle", normal=[-1, 0, 0], friction=0.6, grip_force=25, **place))
+            self.assertIn(words, unwrapped(run("-", text=bottle).stderr))
 
     def test_frames_obey_the_laws_as_they_are_printed(self):
         texts = {name: (SCENES / f"{name}.toml").read_text()

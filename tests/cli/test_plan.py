@@ -6,7 +6,7 @@ import re
 import unittest
 
 from tool import SOURCE, main, run, unwrapped
-from scene_tables import without
+from scene_tables import finger, pusher, table, without
 
 SQUARE = SOURCE / "docs/guide/square.toml"
 
@@ -94,6 +94,16 @@ class Plan(unittest.TestCase):
         self.assertLess(needs["reach"], 1e-6)
         turn = json.loads(run("plan", SQUARE, "--to", "-0.03 0 0.2", "--json").stdout)["pushes"][0]
         self.assertGreater(turn["friction"] + turn["reach"], 1e-3)
+
+    def test_a_margin_is_not_wider_than_what_a_push_needs(self):
+        plate = (table("", gravity=[0, 0, 0], planar=True) + table("[object]", mass=0.1, box=[0.06, 0.06, 0.01]) +
+                 "".join(finger(name, "disc", on=on, radius=0.006, friction=0.5, grip_force=10) for name, on in (("l", "+z"), ("r", "-z"))) +
+                 pusher("west", "line", on="-x", along="y", friction=0.8, velocity=[0.01, 0, 0]))
+        words = ("--to", "0.01 0.005 0.35", "--tolerance", "west.friction=10%", "--json")
+        plan = json.loads(run("plan", "-", *words, text=plate).stdout)
+        least = max(push["friction"] for push in plan["pushes"])
+        self.assertGreater(least, 0.2)
+        self.assertTrue(0.3 < plan["margin"] <= 1 - least / 0.8, plan["margin"])
 
     def test_walls_as_wide_as_the_object_or_wider_push_along_its_face(self):
         for half in ("0.05", "0.06"):
