@@ -57,7 +57,18 @@ double HoldingLaw::least_grip(double bound) {
   double least = least_from(start, is_proved, is_held);
   if (may_be_less && least == start) least = lowered(start, bound, is_held);
   if (holds_now_ == true && least > 1) least = lowered(1, bound, is_held);
-  return least <= statics_settings.closed ? 0 : least;
+  return least <= statics_settings.closed ? 0 : beyond_falls(least, is_held);
+}
+
+/// A least grip, or a larger one where the law falls a little above: who grips harder than the
+/// least that is told shall hold.
+double HoldingLaw::beyond_falls(double least, const Question& is_held) const {
+  double falls = 0;
+  for (const double part : hold_settings.more)
+    if (is_held(part * least) == false) falls = part * least;
+  if (falls == 0) return least;
+  const double found = searched(falls, 1, is_held);
+  return std::isnan(found) || (holds_now_ == true && found > 1) ? least : found;
 }
 
 /// `start`, or the nearest above it that the law is found to hold; with nothing proved, nearest

@@ -72,7 +72,9 @@ double PadLimits::best(const PadQuestion& question, double& work) const {
   const double few = climb(hand_, question, touching, work);
   std::vector<bool> there = touching_beside(hand_, touching, surfaces_);
   const double found = climb(surfaces_, question, there, work);
-  return std::isnan(found) ? few : found;
+  // A pattern of the surfaces that bears much less has gone astray: the law shall be asked of more.
+  return std::isnan(found) || (!question.of_least && found < hold_settings.astray * few) ? few
+                                                                                         : found;
 }
 
 double PadLimits::limit(const Vector6<double>& wrench, bool for_picture) const {

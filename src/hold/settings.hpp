@@ -18,8 +18,9 @@ struct HoldSettings {
   /// more.
   double same = 5e-4, first_step = 5e-3, law = 1e-3, told = 1e-2;
   double stride = 4; ///< of its search from the largest force on, where statics bounds nothing
-  double less[4] = {0.9, 0.75, 0.5, 0.25};  ///< of the load that its search ends at: held as well?
-  Index section_steps = 72, pad_steps = 24; ///< directions in a plane of a picture; of pads
+  double less[4] = {0.9, 0.75, 0.5, 0.25};   ///< of the load that its search ends at: held as well?
+  double more[4] = {1.005, 1.02, 1.05, 1.1}; ///< of the least grip: held as well?
+  Index section_steps = 72, pad_steps = 24;  ///< directions in a plane of a picture; of pads
   double least_unit = 1e-3; ///< of the grip: from there on the law's least grip is searched
   Index most_patterns = 40; ///< of touching points, one after the other
   Index most_pivots = 4000; ///< of one load; a law that takes more has no answer that is found
@@ -29,6 +30,7 @@ struct HoldSettings {
   Index unused_facets = 4; ///< where friction is round
   /// The law, of the scene's own points, is asked with so much less than its surfaces hold.
   double of_points = 0.03;
+  double astray = 0.9; ///< of the few points' limit: less is a wrong pattern of the surfaces
   /// Of a limit: what a load so much larger does is told; points bear at most `of_points` less.
   double beyond = 0.05;
   /// Of the law's work: what a direction that is asked for may take. Of a screwdriver in three
