@@ -109,13 +109,13 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   const bool is_proved = std::isfinite(pads) && !is_open_; // surfaces know no prestress
   const double limit = is_proved ? std::min(pads, bound) : bound;
   if (!asks || !(limit > 0)) return limit;
-  // Points bear less than surfaces of all the load, as if the grip were less; of statics' bound,
-  // which no surface proves, the law is asked itself.
+  // Points bear a little less than surfaces; of statics' bound, which no surface proves, the law is
+  // asked itself.
   const double slack = is_proved ? pads_.slack() : hold_settings.same, most = (1 - slack) * limit;
   const auto is_held = [&](double load) {
     return load <= 0 ? std::optional(true) : holds(1, load * wrench);
   };
-  if (std::isfinite(limit) && holds(1 + slack, most * wrench).value_or(is_proved)) {
+  if (std::isfinite(limit) && holds(1, most * wrench).value_or(is_proved)) {
     // Which points touch was improved from corner to corner: the law may know better ones.
     const double more = (1 + hold_settings.of_points) * limit;
     if (!(more < bound && std::isfinite(bound))) return is_open_ ? not_less(limit, is_held) : limit;

@@ -281,12 +281,14 @@ private:
     }
     run_.restore(before);
     run_.forget_tries(by_pyramids);
-    if (above > 0 && solve(above) == Status::solved && !passes_distance()) {
+    if (above > 0 && solve(above) == Status::solved && run_.by_pyramids() == by_pyramids &&
+        !passes_distance()) {
       keep(taken(above));
       landed_ = now();
       return true;
     }
     run_.restore(after);
+    run_.forget_tries(by_pyramids);
     return false;
   }
 
