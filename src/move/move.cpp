@@ -273,7 +273,8 @@ private:
     const MotionRun::Saved after = run_.save();
     const Index by_pyramids = run_.by_pyramids();
     double above = 0, below = h;
-    for (int k = 0; k < Settings::landing_halvings; ++k) {
+    const int halvings = lands() ? Settings::landing_halvings : Settings::turning_halvings;
+    for (int k = 0; k < halvings; ++k) {
       const double middle = (above + below) / 2;
       run_.restore(before);
       if (solve(middle) != Status::solved) break;

@@ -32,7 +32,9 @@ struct MoveSettings {
       64; ///< events; a patch that flickers must not take for ever
   static constexpr double tolerance = 1e-3; ///< of the object's size, if nobody says: a thousandth
   static constexpr int halvings = 4;        ///< of a fixed step that has no answer
-  static constexpr int landing_halvings = 30;  ///< of a step of a blow: to 1e-9 of its way
+  static constexpr int landing_halvings = 30; ///< of a step of a blow: to 1e-9 of its way
+  /// Of one that turns back or rests: nearer to its end no slip has a direction.
+  static constexpr int turning_halvings = 14;
   static constexpr int distance_halvings = 40; ///< until a step's end is exact to 1e-12 of it
   /// Of the object's size, that it goes untouched until nobody expects that to end: what is thrown
   /// or dropped from its place comes back within less, or not at all.
