@@ -216,7 +216,7 @@ std::vector<NamedValue> Push::closings(double unit) const {
 /// Of the present answer's scene, with less friction where it sticks; at rest all do.
 std::optional<Outcome<double>> Push::answer_by_less_friction(const PushOptions& options) const {
   for (const double part : SolveSettings().less_friction) {
-    const auto less = with_less_friction(file_, work_.answer, part);
+    const auto less = with_less_friction(file_, work_.answer, part, layout().scales);
     if (!less || is_late(options)) break;
     Push push(less->file);
     push.assembled_.assemble(file_.is_round && has_round_friction(scene_));

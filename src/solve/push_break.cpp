@@ -83,7 +83,7 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   const SceneFile alone = hand_at_rest(file_);
   const HoldReport report = rest_alone(alone, options);
   if (report.status != Status::solved || report.holds) return report;
-  const auto less = with_hardly_any_friction(alone, work_.answer);
+  const auto less = with_hardly_any_friction(alone, work_.answer, layout().scales);
   if (!less) return report;
   Push push(less->file);
   const HoldReport rest = push.rest_alone(less->file, options);
@@ -189,7 +189,7 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   PressureRun ignored;
   for (const double part : SolveSettings().less_friction) {
     if (options.other_paths == 0 || undetermined_body(scene_) < 0 || is_late(options)) break;
-    const auto less = with_less_friction(file_, work_.answer, part);
+    const auto less = with_less_friction(file_, work_.answer, part, layout().scales);
     if (!less) break;
     Push push(less->file);
     push.assembled_.assemble(has_round_friction(scene_));

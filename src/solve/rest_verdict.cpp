@@ -100,7 +100,7 @@ bool rests_by_less_friction(const SceneFile& file) {
   Push push(file);
   Vector6<double> motion;
   if (push.solve_at_rest({}, motion) != Status::solved) return false;
-  const auto less = with_hardly_any_friction(file, push.last_answer());
+  const auto less = with_hardly_any_friction(file, push.last_answer(), push.layout().scales);
   return less && Push(less->file).solve_at_rest({}, motion) == Status::solved &&
          motion_size(motion, push.layout().scales) <=
              rest_noise(file, push.layout().scales, Solver::lemke);

@@ -1,5 +1,6 @@
 #include "solve/sentence.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -198,8 +199,26 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
          contacts_phrase(file, report.answer) + ".";
 }
 
+namespace {
+
+/// Of a pusher whose normal force is given, what it takes is its friction.
+std::string drag_sentence(const SceneFile& file, const BreakReport& report) {
+  const Vector3<double> n = file.body(report.pusher).normal,
+                        whole = report.breaking.force.head<3>();
+  return "The grasp breaks when " + file.body_name(report.pusher) + ", which presses with " +
+         brief(report.breaking.break_force, report.noise.force) + " N as given, drags with " +
+         brief((whole - whole.dot(n) * n).norm(), report.noise.force) + " N: " + object_name(file) +
+         " then " + motion_phrase(file, report) + ".";
+}
+
+} // namespace
+
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
   const double force = report.breaking.break_force;
+  const bool is_given =
+      std::any_of(file.drives.begin(), file.drives.end(),
+                  [&](const Drive<double>& drive) { return drive.body == report.pusher; });
+  if (report.breaking.breaks && is_given) return drag_sentence(file, report);
   if (report.breaking.breaks)
     return "The grasp breaks at " +
            (force < -report.noise.force

@@ -189,6 +189,22 @@ class Holding(ToolTest):
                 file.write_text(scaled)
                 self.assertIs(json_of("solve", file)["holds_without_push"], factor >= 1, (seed, factor))
 
+    def test_a_box_that_a_hand_holds_against_a_stop_says_that_friction_is_open(self):
+        """Hand and stop may bear any part of the weight; pads' compliance left that a slip of 7e-12 m/s^2."""
+        crate = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=5, box=[0.3, 0.2, 0.2]) +
+                 finger("table", "rectangle", on="-z", size=[0.3, 0.2], points=[2, 2], friction=0.4) +
+                 finger("stop", "line", on="+x", along="y", center=[0, -0.08], friction=0.2) +
+                 pusher("hand", "point", on="-x", center=[0, 0.05], friction=0.5, normal_force=30))
+        self.assertEqual(json_of("solve", "-", text=crate)["unique"]["wrench"], False)
+        self.assertIn("30 or 31.8 N. The laws leave open how much friction there is", unwrapped(run("solve", "-", text=crate).stdout))
+
+    def test_a_pusher_whose_force_is_given_breaks_by_its_friction(self):
+        tube = (table("", gravity=[0, -9.81, 0]) + table("[object]", mass=0.06, cylinder_radius=0.025, cylinder_length=0.3, axis="z") +
+                "".join(finger(name, "line", ends=[[0, y, -0.1], [0, y, 0.1]], normal=[0, -y / 0.025, 0], friction=0.4) for name, y in [("table", -0.025)]) +
+                pusher("palm", "line", ends=[[0, 0.025, -0.04], [0, 0.025, 0.04]], normal=[0, -1, 0], friction=0.5, normal_force=5,
+                       velocity=[0.02, 0, 0]))
+        self.assertIn("breaks when palm, which presses with 5 N as given, drags with 0 N", unwrapped(run("break", "-", text=tube).stdout))
+
     def test_what_a_hundred_points_leave_of_rest_is_no_fall(self):
         plate = table("", gravity=[0, 0, -9.81]) + table("[object]", mass=0.4, cylinder_radius=0.13, cylinder_length=0.008, axis="z")
         for name, on in (("thumb", "+z"), ("index", "-z")):
