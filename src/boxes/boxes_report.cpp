@@ -77,7 +77,7 @@ std::string margin_words(const BoxAnswer& answer) {
            brief((1 - *answer.margin) * (shared->low + shared->high) / 2);
   const std::string percent = in_digits(100 * *answer.margin, 4) + " % off";
   if (answer.verdict != BoxVerdict::always)
-    return "; with all of these numbers at most " + percent + " it would not";
+    return "; while all of these numbers are at most " + percent + ", that cannot happen";
   return *answer.margin > box_settings.no_margin
              ? "; it would still if all of these numbers were up to 100 % off"
              : "; it would still if all of these numbers were " + percent;
