@@ -23,6 +23,11 @@ int write_program(const Arguments& arguments, const SceneFile& file, const std::
 /// scene.xml or scene.sdf.
 int write_engine_scene(const Arguments& arguments, const std::string& directory) {
   const bool is_mjcf = arguments.format() == "mjcf";
+  if (const auto ending = std::filesystem::path(directory).extension();
+      ending == ".xml" || ending == ".sdf")
+    throw UsageError(std::string("-o names the directory that ") +
+                     (is_mjcf ? "scene.xml" : "scene.sdf") + " is written into, not " +
+                     desktop::quoted(directory));
   const SceneFile file = arguments.scene(commands::Needs::scene, Strokes::all);
   const std::string text = is_mjcf ? mjcf_text(file) : sdf_text(file);
   make_directory(directory);

@@ -124,6 +124,8 @@ JsonValue ContactParts::of_all_contacts(const JsonValue& mu) const {
     const SparseRows& part = parts_.at(key);
     rows = has("M") && part.rows() == parts_.at("M").rows() ? part.cols : part.rows();
   }
+  if (rows % 3 != 0)
+    refuse("each contact has three rows, and " + std::to_string(rows) + " are no multiple of that");
   return {mu.line, JsonArray(static_cast<std::size_t>(rows / 3), mu)};
 }
 

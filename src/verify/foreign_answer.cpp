@@ -2,6 +2,7 @@
 
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/push.hpp"
+#include "text/format.hpp"
 #include "text/wording.hpp"
 #include "verify/settings.hpp"
 #include "verify/verify_rows.hpp"
@@ -93,7 +94,8 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
   }
   if (off <= near) return;
   answer.not_this_scene =
-      "contact " + known[farthest] + " is at another place, " + shown(off) + " m from the scene's" +
+      "contact " + known[farthest] + " is at another place, " + in_digits(off, 3) +
+      " m from the scene's" +
       (off <= VerifySettings::rounded * size ? "; if its places are rounded, --tolerance " +
                                                    next_tolerance(off / size) + " takes them"
                                              : "");

@@ -191,6 +191,7 @@ class Contacts(ToolTest):
                                 ({"b": [1, "x", 2]}, '"b" must hold numbers, got a string'),
                                 ({"g": [0, 0, 1]}, '"b" and "g" are both there and differ'),
                                 ({"M": [[1]], "H": [[1, 0, 0]], "f": [1]}, '"W" beside "M"'),
+                                ({"mu": 0.5, "W": [[1, 0], [0, 1]], "b": [-1, 0]}, "2 are no multiple of that"),
                                 ({"mu": [0.5] * 1001}, "at most 3000"), ({"normal": "up"}, '"first" or "last"')]:
             result = run("contacts", self.written({**good, **change}))
             self.assertEqual((result.returncode, result.stdout), (2, ""), message)

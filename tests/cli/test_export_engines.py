@@ -113,6 +113,9 @@ class Engines(ToolTest):
         tray = (SOURCE / "fixtures/canonical/tray_slips.toml").read_text()
         self.assertIn('("tray"): use --format mjcf', self.refusal(tray, "sdf"))
         self.assertIn("planar", self.refusal((SOURCE / "fixtures/canonical/fence.toml").read_text(), "sdf"))
+        named = run("export", SOURCE / "docs/guide/held_box.toml", "--format", "mjcf", "-o", self.path / "scene.xml")
+        self.assertEqual(named.returncode, 2)
+        self.assertFalse((self.path / "scene.xml").exists())
 
 
 if __name__ == "__main__":
