@@ -374,11 +374,15 @@ private:
     const double was_fast = fastest(from), is_fast = fastest(to);
     for (std::size_t i = 0; i < from.contacts.size(); ++i) {
       const PointState &was = from.contacts[i], &is = to.contacts[i];
-      if (was.touch == Touch::slips && is.touch == Touch::slips &&
-          was.velocity.dot(is.velocity) < 0 && is.friction_force.norm() > 0 &&
-          was.velocity.norm() > Settings::slow_slip * was_fast &&
-          is.velocity.norm() > Settings::slow_slip * is_fast)
-        return true;
+      if (was.touch != Touch::slips || is.touch != Touch::slips) continue;
+      const bool slips_back = was.velocity.dot(is.velocity) < 0 && is.friction_force.norm() > 0 &&
+                              was.velocity.norm() > Settings::slow_slip * was_fast &&
+                              is.velocity.norm() > Settings::slow_slip * is_fast;
+      const double e = file_.body(file_.body_of(static_cast<Index>(i))).torsion_radius;
+      const auto spins = [e](const PointState& point) {
+        return std::abs(point.torsion) > e * point.friction_force.norm();
+      };
+      if (slips_back || (was.torsion * is.torsion < 0 && spins(was) && spins(is))) return true;
     }
     return false;
   }

@@ -46,14 +46,15 @@ class Move(unittest.TestCase):
                 end, error = answer("-", "--time", 1, "--frames", frames, text=ramp)[0]["frames"][-1]["position"][0], 2e-6
                 self.assertAlmostEqual(end, down * (1 - 1 / up) ** 2 / 2 - 1 / (2 * up), delta=error + 5e-6 * (across > 0))
 
-    def test_what_spins_to_and_fro_in_pads_does_so_both_ways(self):
-        pads = table("", gravity=[0, 0, 0]) + table("[object]", mass=0.5, inertia=[0.001] * 3, moment=[0, 0, 0.08], angular_velocity=[0, 0, -20.0])
-        for name, side in (("l", 1), ("r", -1)):
-            pads += finger(name, "ring", center=[0, 0, side * 0.01], normal=[0, 0, -side], radius=0.02, friction=0.5, grip_force=2.0)
-        for frames in (3, 21):
-            motion = answer("-", "--time", 0.4, "--frames", frames, text=pads)[0]
-            r = motion["frames"][-1]["rotation"]
-            self.assertAlmostEqual(math.atan2(r[3], r[0]), -5 / 3 + 20 * (0.4 - 1 / 6) ** 2, delta=1e-5)
+    def test_what_spins_to_and_fro_in_the_grip_does_so_both_ways(self):
+        for shape in (dict(shape="ring", radius=0.02), dict(shape="point", torsion_radius=0.02)):
+            pads = table("", gravity=[0, 0, 0]) + table("[object]", mass=0.5, inertia=[0.001] * 3, moment=[0, 0, 0.08],
+                                                        angular_velocity=[0, 0, -20.0])
+            for name, side in (("l", 1), ("r", -1)):
+                pads += table("[[finger]]", name=name, center=[0, 0, side * 0.01], normal=[0, 0, -side], friction=0.5, grip_force=2.0, **shape)
+            for frames in (3, 21):
+                r = answer("-", "--time", 0.4, "--frames", frames, text=pads)[0]["frames"][-1]["rotation"]
+                self.assertAlmostEqual(math.atan2(r[3], r[0]), -5 / 3 + 20 * (0.4 - 1 / 6) ** 2, delta=1e-5, msg=shape)
 
     def test_a_book_that_rocks_is_told_to_go_to_and_fro(self):
         book = (table("", gravity=[0, 0, -9.81]) + table("[object]", mass=1, box=[0.04, 0.15, 0.24]) +
