@@ -5,6 +5,7 @@
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/limits.hpp"
+#include "text/wording.hpp"
 #include "text/wrap.hpp"
 
 namespace lcpush::cli {

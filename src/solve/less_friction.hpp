@@ -7,6 +7,7 @@
 
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/layout.hpp"
 
 namespace lcpush::desktop {
 
