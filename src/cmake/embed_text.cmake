@@ -108,6 +108,8 @@ function(embed_scripts name folder)
   string(REGEX REPLACE "(const|let) ([A-Za-z_]+) = " "\\1 \\2=" script "${script}")
   string(REPLACE "{ " "{" script "${script}")
   string(REPLACE " }" "}" script "${script}")
+  string(REPLACE ";\n}" "}" script "${script}") # what ends a block needs no sign of its own
+  string(REPLACE "}\n}" "}}" script "${script}")
   embed(${name} "${script}")
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()
