@@ -643,7 +643,7 @@ class Words(ToolTest):
 
     def test_grips_a_little_above_the_least_hold(self):
         """Some fall between 90.2 and 94.4 N, though 90 N rests."""
-        text = (SOURCE / "fixtures/regressions/torn_least_grip.toml").read_text()
+        text = (SOURCE / "tests/scenes/torn_least_grip.toml").read_text()
         least = hold(text)["least_grip"]["force"]
         self.assertTrue(94.5 < least < 96, least)
         for part in (1.001, 1.003, 1.01, 1.03, 1.07):
@@ -651,7 +651,7 @@ class Words(ToolTest):
             self.assertTrue(there["held"], part)
 
     def test_a_wrong_pattern_of_surfaces_is_no_force_that_nothing_resists(self):
-        text = (SOURCE / "fixtures/regressions/pads_resist.toml").read_text()
+        text = (SOURCE / "tests/scenes/pads_resist.toml").read_text()
         weakest = hold(text)["weakest"]["force"]
         self.assertTrue(1.5 < weakest["limit"] < 2, weakest)
         for part, holds in ((0.95, True), (1.06, False)):
