@@ -106,14 +106,14 @@ PusherCone pusher_cone(const SceneFile& file, Index pusher, double length) {
   cone.along = cross<double>(Vector3<double>::UnitZ(), body.normal);
   const double mu = body.friction;
   std::vector<ExtremeWrench> all;
-  std::vector<Pixel> flat; // (share of its friction, torque) of a unit normal force
+  std::vector<Pixel> flat; // (share of its friction, torque) of a unit force
   for (const Index i : points_of(body))
     for (const double side : {1.0, -1.0}) {
       const Vector3<double> force = body.normal + side * mu * cone.along;
       const Vector6<double> w =
           wrench_column<double>(file.points[static_cast<std::size_t>(i)], force);
       all.push_back({i, side, planar_wrench(w, length), force});
-      flat.push_back({mu > 0 ? side : 0, w[5] / length});
+      flat.push_back({mu > 0 ? side : 0, w[5] / (length * (1 + mu))});
     }
   for (const std::size_t k : hull_corners(flat)) cone.edges.push_back(all[k]);
   const std::size_t count = cone.edges.size();

@@ -61,14 +61,22 @@ double HoldingLaw::least_grip(double bound) {
 }
 
 /// A least grip, or a larger one where the law falls a little above: who grips harder than the
-/// least that is told shall hold.
-double HoldingLaw::beyond_falls(double least, const Question& is_held) const {
-  double falls = 0;
-  for (const double part : hold_settings.more)
-    if (is_held(part * least) == false) falls = part * least;
-  if (falls == 0) return least;
-  const double found = searched(falls, 1, is_held);
-  return std::isnan(found) || (holds_now_ == true && found > 1) ? least : found;
+/// least that is told shall hold. It may cost a part of the work: limits are to be found as well.
+double HoldingLaw::beyond_falls(double least, const Question& is_held) {
+  work_.allow(hold_settings.more_share);
+  double told = least;
+  for (bool falls_above = true; falls_above && !work_.is_used_up();) {
+    double falls = 0;
+    for (const double part : hold_settings.more)
+      if (is_held(part * told) == false) falls = part * told;
+    falls_above = falls > 0;
+    if (!falls_above) break;
+    const double found = searched(falls, 1, is_held);
+    if (std::isnan(found) || (holds_now_ == true && found > 1)) break;
+    told = found;
+  }
+  work_.allow(1);
+  return told;
 }
 
 /// `start`, or the nearest above it that the law is found to hold; with nothing proved, nearest

@@ -60,7 +60,7 @@ private:
   double lowered(double from, double bound, const Question& is_held) const;
   double least_from(double start, bool is_proved, const Question& is_held) const;
   double not_less(double held, const Question& is_held) const;
-  double beyond_falls(double least, const Question& is_held) const;
+  double beyond_falls(double least, const Question& is_held);
 };
 
 } // namespace lcpush::desktop

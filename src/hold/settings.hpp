@@ -19,7 +19,8 @@ struct HoldSettings {
   double same = 5e-4, first_step = 5e-3, law = 1e-3, told = 1e-2;
   double stride = 4; ///< of its search from the largest force on, where statics bounds nothing
   double less[4] = {0.9, 0.75, 0.5, 0.25};   ///< of the load that its search ends at: held as well?
-  double more[4] = {1.005, 1.02, 1.05, 1.1}; ///< of the least grip: held as well?
+  double more[4] = {1.003, 1.01, 1.03, 1.1}; ///< of the least grip: held as well?
+  double more_share = 0.05;                  ///< of the law's work, for that
   Index section_steps = 72, pad_steps = 24;  ///< directions in a plane of a picture; of pads
   double least_unit = 1e-3; ///< of the grip: from there on the law's least grip is searched
   Index most_patterns = 40; ///< of touching points, one after the other

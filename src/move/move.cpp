@@ -245,9 +245,12 @@ private:
       ++located_;
       event_by_ = std::numeric_limits<double>::infinity();
     }
-    const bool ends_there = lands() || turns_or_rests(last_, pair.half.frame) ||
-                            turns_or_rests(pair.half.frame, pair.end.frame);
-    if (ends_there && before.moment.time > landed_ && land(before, h)) return true;
+    const bool turns =
+        h <= Settings::event_step * time_ &&
+        (turns_or_rests(last_, pair.half.frame) || turns_or_rests(pair.half.frame, pair.end.frame));
+    if (pair.has_event && (lands() || turns) && before.moment.time > landed_ &&
+        land(before, h, turns))
+      return true;
     *report_.error += pair.error;
     if (passes_distance()) return go_last(before, h);
     keep(pair.half);
@@ -269,7 +272,7 @@ private:
   /// blow would be left to the next one, and what friction has of it would depend on how the steps
   /// fall; and a step that slips back at its end, or sticks, would have all of its friction that
   /// way. False: it is there already, or a step has no answer.
-  bool land(const MotionRun::Saved& before, double h) {
+  bool land(const MotionRun::Saved& before, double h, bool turns) {
     const MotionRun::Saved after = run_.save();
     const Index by_pyramids = run_.by_pyramids();
     double above = 0, below = h;
@@ -278,12 +281,14 @@ private:
       const double middle = (above + below) / 2;
       run_.restore(before);
       if (solve(middle) != Status::solved) break;
-      (lands() || turns_or_rests(last_, run_.frame(middle)) ? below : above) = middle;
+      (lands() || (turns && turns_or_rests(last_, run_.frame(middle))) ? below : above) = middle;
     }
     run_.restore(before);
     run_.forget_tries(by_pyramids);
     if (above > 0 && solve(above) == Status::solved && run_.by_pyramids() == by_pyramids &&
         !passes_distance()) {
+      if (turns) // at its end's speed
+        *report_.error += above / 2 * speed(run_.stepper().velocity() - last_.twist);
       keep(taken(above));
       landed_ = now();
       return true;
