@@ -106,6 +106,7 @@ function(embed_scripts name folder)
     string(REPLACE " ${sign} " "${sign}" script "${script}")
   endforeach()
   string(REGEX REPLACE "(const|let) ([A-Za-z_]+) = " "\\1 \\2=" script "${script}")
+  string(REGEX REPLACE "(if|for|while) \\(" "\\1(" script "${script}")
   string(REPLACE "{ " "{" script "${script}")
   string(REPLACE " }" "}" script "${script}")
   string(REPLACE ";\n}" "}" script "${script}") # what ends a block needs no sign of its own
