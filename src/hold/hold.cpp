@@ -70,6 +70,8 @@ public:
   HoldLimit limit(const HoldDirection& what, bool asks_law = true) {
     const Vector6<double> d = unit_wrench(hand_, what.kind, what.direction, at());
     HoldLimit found;
+    if (const HoldLimit* const known = same_limit(what); known != nullptr && asks_law)
+      return *known;
     if (const HoldLimit* const force = same_force(what); force != nullptr)
       found = over_mass(*force);
     found.what = what;
@@ -257,6 +259,14 @@ private:
   }
   static double pi() { return std::acos(-1.0); }
   Vector3<double> at() const { return study_.at - hand_.object.center_of_mass; }
+  /// The one that is known already.
+  const HoldLimit* same_limit(const HoldDirection& what) const {
+    for (const HoldLimit& known : study_.limits)
+      if (known.what.kind == what.kind && known.what.direction == what.direction &&
+          !std::isnan(known.limit))
+        return &known;
+    return nullptr;
+  }
   /// An acceleration is a force at the centre of mass, backwards: the one that is known.
   const HoldLimit* same_force(const HoldDirection& what) const {
     if (what.kind != Disturbance::acceleration || !at().isZero(0)) return nullptr;
