@@ -294,7 +294,7 @@ class Trajectory(ToolTest):
             self.assertEqual(self.verdict(tray, self.columns(tray, POSE + SPEEDS, None, (), "--frames", frames))[0]["verdict"], "follows")
         for names in (POSE, POSE + SPEEDS):  # where nobody says how far what presses has closed
             self.assertEqual(self.verdict(beyond, self.columns(beyond, names, None, (), "--frames", 31))[0]["verdict"], "follows")
-        for name, frames in (("pendulum", 61), ("ramp_tips", 61), ("thrown_up", 201)):
+        for name, frames in (("pendulum", 61), ("ramp_tips", 61), ("thrown_up", 401)):
             scene = SOURCE / f"fixtures/canonical/{name}.toml"
             self.assertEqual(self.verdict(scene, self.columns(scene, POSE, None, (), "--frames", frames))[0]["verdict"], "follows", name)
 
